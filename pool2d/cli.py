@@ -1,0 +1,165 @@
+"""The command line: play | simulate | render."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from . import __version__
+from .errors import BudgetError, InputError
+from .knobs import Knob, apply
+from .physics.rollout import Rollout
+from .preset import load_table, presets
+from .scenario import load_scenario
+from .table import Knobs
+
+_EVENTS = Knob(0, 1, 1e9, "events", "")
+_STEP = Knob(0.0, 1e-6, 1e6, "s", "")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command; returns the exit status: 0 done, 2 bad input, told in one line on standard error."""
+    words = list(sys.argv[1:] if argv is None else argv)
+    # Without a command, play; `--help` and `--version` speak for the whole.
+    if not words or (words[0].startswith("-") and words[0] not in ("-h", "--help", "--version")):
+        words.insert(0, "play")
+    try:
+        arguments = _parser().parse_args(words)
+        run: int = arguments.run(arguments)
+        return run
+    except InputError as error:
+        print(f"pool2d: {error}", file=sys.stderr)
+    except BudgetError as error:
+        print(f"pool2d: {error}; the scenario is {json.dumps(error.scenario)}", file=sys.stderr)
+    except BrokenPipeError:
+        # The reader has what it wanted (`| head`). Keep Python from complaining as it closes the pipe.
+        sys.stdout = None
+        return 0
+    return 2
+
+
+def _play(arguments: argparse.Namespace) -> int:
+    from .ui.app import play
+
+    overrides = _overrides(arguments.set)
+    return play(load_table(arguments.table, overrides), seed=arguments.seed, frames=arguments.frames)
+
+
+def _simulate(arguments: argparse.Namespace) -> int:
+    overrides = _overrides(arguments.set)
+    limit = None if arguments.events is None else int(_number(_EVENTS, arguments.events, "--events"))
+    step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
+    for path in arguments.files:
+        rollout = load_scenario(path, overrides).simulate(limit)
+        if arguments.json:
+            print(json.dumps(_as_dict(rollout, step)), flush=True)
+        else:
+            _tell(path, rollout, step)
+    return 0
+
+
+def _render(arguments: argparse.Namespace) -> int:
+    from .ui.render import render
+
+    width, _, height = arguments.size.partition("x")
+    size = Knob(0, 64, 8192, "pixels", "")
+    numbers = (int(_number(size, width, "--size")), int(_number(size, height, "--size")))
+    render(load_scenario(arguments.file, _overrides(arguments.set)), Path(arguments.out), numbers)
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="pool2d", description="A 2D pool table whose physics can be trusted.")
+    parser.add_argument("--version", action="version", version=f"pool2d {__version__}")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    def command(name: str, run: Any, text: str) -> argparse.ArgumentParser:
+        sub = commands.add_parser(name, help=text, description=text)
+        sub.set_defaults(run=run)
+        sub.add_argument(
+            "--set",
+            action="append",
+            default=[],
+            metavar="NAME=VALUE",
+            help="override a knob: cloth.mu_roll=0.012",
+        )
+        return sub
+
+    play = command("play", _play, "Open a window and play (also without a command).")
+    play.add_argument("--table", default="pool-9ft", help=f"a preset ({', '.join(presets())}) or a .toml file")
+    play.add_argument("--seed", type=int, default=None, help="the first rack's seed; without it, a new one each time")
+    play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
+
+    simulate = command("simulate", _simulate, "Play scenario files without a screen and tell what happened.")
+    simulate.add_argument("files", nargs="+", metavar="FILE", help="a scenario, .toml or .json")
+    simulate.add_argument("--json", action="store_true", help="one line of JSON for each file")
+    simulate.add_argument("--sample", metavar="DT", help="add each ball's path, sampled every DT seconds")
+    simulate.add_argument("--events", metavar="N", help="stop after N events")
+
+    render = command("render", _render, "Draw a scenario's table, balls and the shot's paths to a picture.")
+    render.add_argument("file", metavar="FILE", help="a scenario, .toml or .json")
+    render.add_argument("out", metavar="OUT.png", help="the picture to write")
+    render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
+    return parser
+
+
+class _Parser(argparse.ArgumentParser):
+    """An ArgumentParser whose complaints are one line."""
+
+    def error(self, message: str) -> Any:
+        raise InputError(self.prog, "", None, message)
+
+
+def _overrides(settings: list[str]) -> dict[str, Any]:
+    """`--set NAME=VALUE` as knobs and values; raises InputError."""
+    overrides: dict[str, Any] = {}
+    for setting in settings:
+        name, sign, text = setting.partition("=")
+        if not sign:
+            raise InputError("--set", name, None, "allowed is NAME=VALUE, as in cloth.mu_roll=0.012")
+        try:
+            overrides[name.strip()] = float(text)
+        except ValueError:
+            overrides[name.strip()] = text.strip()
+    apply(Knobs(), overrides, "--set")
+    return overrides
+
+
+def _number(knob: Knob, text: str, name: str) -> float:
+    try:
+        number: object = float(text)
+    except ValueError:
+        number = text
+    return float(knob.check(number, "pool2d", name))
+
+
+def _as_dict(rollout: Rollout, step: float | None) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "duration": rollout.duration,
+        "balls": {ball.id: ball.state() for ball in rollout.layout().values()},
+        "events": [event.as_dict() for event in rollout.events],
+    }
+    if rollout.truncated:
+        result["truncated"] = True
+    if step is not None:
+        result["path"] = {ball: rollout.path(ball, step) for ball in rollout.start}
+    return result
+
+
+def _tell(path: str, rollout: Rollout, step: float | None) -> None:
+    """A rollout for people: a line for each event, and where each ball ended."""
+    cut = ", cut short" if rollout.truncated else ""
+    print(f"{path}: {len(rollout.events)} events in {rollout.duration:.3f} s{cut}")
+    for event in rollout.events:
+        where = f" at {event.where}" if event.where else ""
+        print(f"  {event.t:9.4f} s  {event.kind:<16} {' '.join(event.balls)}{where}")
+    for ball in rollout.layout().values():
+        print(f"  {ball.id:>4}  x {ball.x:8.4f} m  y {ball.y:8.4f} m  {ball.phase}")
+    if step is not None:
+        for name in rollout.start:
+            for t, x, y in rollout.path(name, step):
+                print(f"  {name:>4}  t {t:8.4f} s  x {x:8.4f} m  y {y:8.4f} m")

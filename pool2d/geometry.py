@@ -1,0 +1,186 @@
+"""From a table's sizes to the shapes that balls meet: noses, facings, rounded jaws and drops.
+
+An outline is a polygon of corners, counter-clockwise, with the playing surface on its left. A corner
+may hold a pocket, also where the outline goes straight on: a side pocket is a corner of 180 degrees.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from .errors import InputError
+from .knobs import knob
+from .physics.detect import Element, Jaw, Pocket, Rail
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class TableKnobs:
+    length: float = knob(2.54, 0.5, 6.0, "m", "length of the playing surface, nose to nose")
+    width: float = knob(1.27, 0.3, 4.0, "m", "width of the playing surface, nose to nose")
+
+
+@dataclass(frozen=True, slots=True)
+class CornerKnobs:
+    mouth: float = knob(0.1159, 0.04, 0.3, "m", "width of a corner pocket between the tips of its jaws")
+    angle: float = knob(142.0, 95.0, 170.0, "degrees", "angle between nose and facing at a corner pocket")
+    shelf: float = knob(0.0413, 0.0, 0.2, "m", "from a corner pocket's mouth to where the slate ends")
+    jaw_radius: float = knob(0.01, 0.0, 0.2, "m", "rounding of a corner pocket's jaws")
+    drop_radius: float = knob(0.06, 0.02, 0.2, "m", "radius of a corner pocket's hole in the slate")
+
+
+@dataclass(frozen=True, slots=True)
+class SideKnobs:
+    mouth: float = knob(0.1286, 0.04, 0.3, "m", "width of a side pocket between the tips of its jaws")
+    angle: float = knob(104.0, 91.0, 170.0, "degrees", "angle between nose and facing at a side pocket")
+    shelf: float = knob(0.0048, 0.0, 0.2, "m", "from a side pocket's mouth to where the slate ends")
+    jaw_radius: float = knob(0.008, 0.0, 0.2, "m", "rounding of a side pocket's jaws")
+    drop_radius: float = knob(0.06, 0.02, 0.2, "m", "radius of a side pocket's hole in the slate")
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """A corner of the outline: where, the name of the cushion that leaves it, and its pocket if any."""
+
+    x: float
+    y: float
+    cushion: str
+    pocket: str = ""
+    kind: str = "corner"
+
+
+@dataclass(frozen=True, slots=True)
+class Geometry:
+    """The built table.
+
+    `elements` are what balls meet; `cushions` their fronts as polylines, by name, for drawing;
+    `outline` goes once round the cloth, through the throats of the pockets.
+    """
+
+    elements: tuple[Element, ...]
+    cushions: dict[str, tuple[Point, ...]]
+    outline: tuple[Point, ...]
+
+    @property
+    def pockets(self) -> list[Pocket]:
+        return [element for element in self.elements if isinstance(element, Pocket)]
+
+
+def rectangle(length: float, width: float) -> list[Corner]:
+    """The usual table: pockets in the corners and in the middle of the long sides."""
+    return [
+        Corner(0.0, 0.0, "bottom-left", "bottom-left"),
+        Corner(length / 2, 0.0, "bottom-right", "bottom-side", "side"),
+        Corner(length, 0.0, "right", "bottom-right"),
+        Corner(length, width, "top-right", "top-right"),
+        Corner(length / 2, width, "top-left", "top-side", "side"),
+        Corner(0.0, width, "left", "top-left"),
+    ]
+
+
+def build(corners: list[Corner], corner: CornerKnobs, side: SideKnobs, source: str) -> Geometry:
+    """Noses, facings, jaws and drops along an outline.
+
+    Raises InputError where a pocket's numbers contradict each other, or leave no cushion between two.
+    """
+    elements: list[Element] = []
+    drops: list[Element] = []
+    cushions: dict[str, tuple[Point, ...]] = {}
+    for i, here in enumerate(corners):
+        after = corners[(i + 1) % len(corners)]
+        length = math.hypot(after.x - here.x, after.y - here.y)
+        dx, dy = (after.x - here.x) / length, (after.y - here.y) / length
+        turn = _turn(corners, i)
+        knobs = side if here.kind == "side" else corner
+        if here.pocket:
+            _check(here.kind, turn, knobs, source)
+            drops.append(_drop(here, turn, (dx, dy), knobs))
+        first = _end(here, turn, (dx, dy), 1.0, knobs)
+        other = side if after.kind == "side" else corner
+        last = _end(after, _turn(corners, (i + 1) % len(corners)), (-dx, -dy), -1.0, other)
+        if (last.nose[0] - first.nose[0]) * dx + (last.nose[1] - first.nose[1]) * dy <= 0.0:
+            raise InputError(
+                source, "corner.mouth, side.mouth", (corner.mouth, side.mouth),
+                f"the pockets leave no {here.cushion} cushion between them",
+            )  # fmt: skip
+        elements += [*first.elements, Rail(here.cushion, *first.nose, *last.nose), *last.elements]
+        cushions[here.cushion] = (*reversed(first.front), *last.front)
+    outline = tuple(point for front in cushions.values() for point in front)
+    return Geometry((*elements, *drops), cushions, outline)
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """One end of a cushion: where its straight nose ends, its jaw and facing, its front from there on."""
+
+    nose: Point
+    elements: list[Element]
+    front: list[Point]
+
+
+def _end(corner: Corner, turn: float, away: Point, hand: float, knobs: CornerKnobs | SideKnobs) -> _End:
+    """The end of a cushion at `corner`; `away` points from there along the cushion.
+
+    `hand` is +1 where the cushion leaves the corner, -1 where it arrives. `turn` is the interior angle.
+    """
+    if not corner.pocket:
+        return _End((corner.x, corner.y), [], [(corner.x, corner.y)])
+    name = f"{corner.pocket} jaw"
+    ax, ay = away
+    # Into the cushion: to the right of the outline's way.
+    ix, iy = (ay, -ax) if hand > 0.0 else (-ay, ax)
+    tip = knobs.mouth / (2.0 * math.sin(turn / 2.0))
+    tx, ty = corner.x + ax * tip, corner.y + ay * tip
+    cut = math.radians(knobs.angle)
+    fx, fy = ax * math.cos(cut) + ix * math.sin(cut), ay * math.cos(cut) + iy * math.sin(cut)
+    # The facing reaches as deep as the drop's centre, beyond where a ball can be.
+    length = (knobs.shelf + knobs.drop_radius) / -math.cos(cut + turn / 2.0)
+    trim = knobs.jaw_radius / math.tan(cut / 2.0)
+    nose = (tx + ax * trim, ty + ay * trim)
+    centre = (nose[0] + ix * knobs.jaw_radius, nose[1] + iy * knobs.jaw_radius)
+    inner = (tx + fx * trim, ty + fy * trim)
+    back = (tx + fx * length, ty + fy * length)
+    facing = Rail(name, *back, *inner) if hand > 0.0 else Rail(name, *inner, *back)
+    return _End(nose, [facing, Jaw(name, *centre, knobs.jaw_radius)], [*_arc(centre, nose, inner), back])
+
+
+def _check(kind: str, turn: float, knobs: CornerKnobs | SideKnobs, source: str) -> None:
+    """Raises InputError where a pocket's numbers do not make a pocket."""
+    lean = math.radians(knobs.angle) + turn / 2.0 - math.pi
+    depth = knobs.shelf + knobs.drop_radius
+    if not abs(lean) < math.pi / 3.0:
+        raise InputError(source, f"{kind}.angle", knobs.angle, "the facings do not lead into the pocket")
+    if knobs.mouth / 2.0 <= depth * math.tan(lean):
+        raise InputError(source, f"{kind}.angle", knobs.angle, "the facings meet before the pocket's drop")
+    if knobs.jaw_radius / math.tan(math.radians(knobs.angle) / 2.0) >= depth / math.cos(lean):
+        raise InputError(source, f"{kind}.jaw_radius", knobs.jaw_radius, "the jaws are rounder than the pocket is deep")
+
+
+def _drop(corner: Corner, turn: float, towards: Point, knobs: CornerKnobs | SideKnobs) -> Pocket:
+    """The hole of a corner's pocket; `towards` points along the cushion that leaves the corner."""
+    half = turn / 2.0
+    # Half the turn from the cushion lies the pocket's axis, pointing into the table.
+    ux = towards[0] * math.cos(half) - towards[1] * math.sin(half)
+    uy = towards[0] * math.sin(half) + towards[1] * math.cos(half)
+    place = knobs.mouth / (2.0 * math.tan(half)) - knobs.shelf - knobs.drop_radius
+    return Pocket(corner.pocket, corner.x + ux * place, corner.y + uy * place, knobs.drop_radius)
+
+
+def _turn(corners: list[Corner], i: int) -> float:
+    """The interior angle of the outline at corner i, in radians."""
+    before, here, after = corners[i - 1], corners[i], corners[(i + 1) % len(corners)]
+    ahead = math.atan2(after.y - here.y, after.x - here.x)
+    back = math.atan2(before.y - here.y, before.x - here.x)
+    return (back - ahead) % math.tau
+
+
+def _arc(centre: Point, start: Point, end: Point, steps: int = 6) -> list[Point]:
+    """Points on the shorter arc from `start` to `end`, both included."""
+    cx, cy = centre
+    radius = math.hypot(start[0] - cx, start[1] - cy)
+    first = math.atan2(start[1] - cy, start[0] - cx)
+    sweep = math.remainder(math.atan2(end[1] - cy, end[0] - cx) - first, math.tau)
+    angles = (first + sweep * step / steps for step in range(steps + 1))
+    return [(cx + radius * math.cos(angle), cy + radius * math.sin(angle)) for angle in angles]

@@ -1,0 +1,143 @@
+"""What happens in a contact: the cue's strike, and the impulse laws.
+
+A law takes two bodies that touch and the unit normal from the first to the second, and changes their
+velocities and spins. A cushion is a body of infinite mass. Laws are chosen by name in the preset.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from .values import Shot
+
+if TYPE_CHECKING:
+    from .motion import Body
+    from .params import Cue, Physics
+
+BallLaw = Callable[["Body", "Body", "Physics"], None]
+CushionLaw = Callable[["Body", float, float, "Physics"], None]
+
+# Two bodies that meet more slowly than this part as fast as they met, m/s. Viscoelastic contacts do
+# become elastic as they slow (Brilliantov & Poeschel 2004), and it ends the bouncing of a ball that
+# its own spin presses on a cushion: it would otherwise take endlessly many bounces in a finite time.
+GENTLE = 5e-3
+
+
+def rebound(approach: float, restitution: float) -> float:
+    """The speed at which two bodies part that met at `approach`, both positive, m/s."""
+    return max(restitution * approach, min(approach, GENTLE))
+
+
+def impulse_balls(a: Body, b: Body, physics: Physics) -> None:
+    """P = j (n - f v_s / |v_s|): restitution along the normal, Coulomb friction at the surface.
+
+    j follows from restitution; the friction is no more than what stops the slip. Balls of unequal
+    radius touch with a tilted normal; the vertical part of the impulse is taken by the slate and only
+    its moment kept. ("physic-based billiard simulation", 2002; Alciatore TP A.14, eq. 15-17.)
+    """
+    dx, dy = b.x - a.x, b.y - a.y
+    plan = math.hypot(dx, dy)
+    total = a.radius + b.radius
+    # Level between equal balls; between others the line of centres climbs toward the larger.
+    flat = 2.0 * math.sqrt(a.radius * b.radius) / total
+    nx, ny, nz = flat * dx / plan, flat * dy / plan, (b.radius - a.radius) / total
+    approach = (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
+    if approach <= 0.0:
+        return
+    ease = 1.0 / a.mass + 1.0 / b.mass
+    push = (approach + rebound(approach, physics.ball.restitution)) / (flat * flat * ease)
+    px, py, pz = a.radius * a.wx + b.radius * b.wx, a.radius * a.wy + b.radius * b.wy, a.radius * a.wz + b.radius * b.wz
+    sx = a.vx - b.vx + py * nz - pz * ny - approach * nx
+    sy = a.vy - b.vy + pz * nx - px * nz - approach * ny
+    sz = px * ny - py * nx - approach * nz
+    slip = math.sqrt(sx * sx + sy * sy + sz * sz)
+    rub = 0.0 if slip == 0.0 else min(physics.ball.friction * push, slip / (3.5 * ease)) / slip
+    # The friction on a; b feels its opposite, and both turn the same way, for both arms point at the contact.
+    fx, fy, fz = -rub * sx, -rub * sy, -rub * sz
+    mx, my, mz = ny * fz - nz * fy, nz * fx - nx * fz, nx * fy - ny * fx
+    for ball, sign in ((a, 1.0), (b, -1.0)):
+        ball.vx += sign * (fx - push * nx) / ball.mass
+        ball.vy += sign * (fy - push * ny) / ball.mass
+        turn = 2.5 / (ball.mass * ball.radius)
+        ball.wx += turn * mx
+        ball.wy += turn * my
+        ball.wz += turn * mz
+
+
+def impulse_cushion(ball: Body, nx: float, ny: float, physics: Physics) -> None:
+    """The equations of `impulse_balls` against an infinite mass; (nx, ny) points into the cushion."""
+    approach = ball.vx * nx + ball.vy * ny
+    if approach <= 0.0:
+        return
+    push = ball.mass * (approach + rebound(approach, physics.cushion.restitution))
+    radius = ball.radius
+    along = ball.vy * nx - ball.vx * ny + radius * ball.wz
+    up = radius * (ball.wx * ny - ball.wy * nx)
+    slip = math.hypot(along, up)
+    rub = 0.0 if slip == 0.0 else min(physics.cushion.friction * push, 2.0 / 7.0 * ball.mass * slip) / slip
+    side, lift = -rub * along, -rub * up
+    ball.vx -= (push * nx + side * ny) / ball.mass
+    ball.vy -= (push * ny - side * nx) / ball.mass
+    turn = 2.5 / (ball.mass * radius)
+    ball.wx += turn * lift * ny
+    ball.wy -= turn * lift * nx
+    ball.wz += turn * side
+
+
+BALL_LAWS: dict[str, BallLaw] = {"impulse": impulse_balls}
+CUSHION_LAWS: dict[str, CushionLaw] = {"impulse": impulse_cushion}
+
+
+def miscue_limit(tip_friction: float) -> float:
+    """How far from the centre the tip may hit, in radii, before it slips (friction cone, TP 2.1)."""
+    return tip_friction / math.hypot(1.0, tip_friction)
+
+
+def squirt(side: float, ball_mass: float, end_mass: float) -> float:
+    """The angle by which a ball leaves turned away from the english, radians (Alciatore TP A.31).
+
+    Positive to the left, for a tip to the right.
+    """
+    if end_mass == 0.0:
+        return 0.0
+    depth = 1.0 - side * side
+    return math.atan(2.5 * side * math.sqrt(depth) / (1.0 + ball_mass / end_mass + 2.5 * depth))
+
+
+def strike(ball: Body, shot: Shot, cue: Cue) -> bool:
+    """Set `ball` moving as the cue sends it; True for a clean hit, False for a miscue.
+
+    The cue pushes along its own line, or, past the friction limit, along the nearest line that the
+    friction cone allows. With that line e, the tip meets an inertia of |e_xy|^2/m + 5 |r x e|^2 / (2 m)
+    (r in radii; the slate takes the vertical part) and the cue one of (d.e)^2/M, so the impulse is
+    J = (1 + e_tip) V (d.e) / their sum. For a clean hit this is Alciatore TP A.30 with elevation.
+    """
+    a, b = shot.side, shot.height
+    tilt = math.radians(shot.elevation)
+    cos, sin = math.cos(tilt), math.sin(tilt)
+    offset = min(math.hypot(a, b), 1.0)
+    depth = math.sqrt(1.0 - offset * offset)
+    clean = offset <= miscue_limit(cue.tip_friction)
+    # In the cue's frame (along it, to its right, up across it) the ball's centre sees the tip at
+    # (-depth, a, b), and the push is (cos, sin) of the miss angle along and away from the centre line.
+    miss = 0.0 if clean else math.acos(depth) - math.atan(cue.tip_friction)
+    along, away = math.cos(miss), -math.sin(miss)
+    right, up = (away * a / offset, away * b / offset) if offset > 0.0 else (0.0, 0.0)
+    # The moment r x e, about the axes (along, right, up), which are left-handed.
+    m_along = b * right - a * up
+    m_right = -b * along - depth * up
+    m_up = depth * right + a * along
+    ahead = along * cos + up * sin
+    inertia = (ahead * ahead + right * right + 2.5 * (m_along**2 + m_right**2 + m_up**2)) / ball.mass
+    impulse = (1.0 + cue.tip_restitution) * shot.speed * along / (inertia + along * along / cue.mass)
+    # To the table's frame turned to the aim: x ahead, y left, z up.
+    speed, turn = impulse / ball.mass, 2.5 * impulse / (ball.mass * ball.radius)
+    vx, vy = speed * ahead, -speed * right
+    wx, wy, wz = turn * (m_along * cos + m_up * sin), -turn * m_right, turn * (m_up * cos - m_along * sin)
+    aim = math.radians(shot.angle) + (squirt(a, ball.mass, cue.end_mass) if clean else 0.0)
+    ca, sa = math.cos(aim), math.sin(aim)
+    ball.vx, ball.vy = vx * ca - vy * sa, vx * sa + vy * ca
+    ball.wx, ball.wy, ball.wz = wx * ca - wy * sa, wx * sa + wy * ca, wz
+    return clean

@@ -1,0 +1,188 @@
+"""When a moving ball meets something: the exact times, and the table elements that ask for them.
+
+Every contact is looked for at SKIN inside the true distance, so that balls that touch exactly, in a
+rack or on a rail, are an ordinary case of balls a little apart.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Protocol
+
+from .motion import Motion
+from .roots import falling_root, first_root
+
+# How far two surfaces may enter each other before they count as met, m.
+SKIN = 5e-10
+# A gap that is no more than rounding after a contact was solved, m, and such a speed, m/s.
+TOUCH = 1e-12
+NOISE = 1e-12
+
+
+class Element(Protocol):
+    """A part of the table that a ball can meet. New kinds of element need only this.
+
+    `kind` is the kind of event, `name` what its `where` says.
+    """
+
+    kind: str
+    name: str
+
+    def time(self, motion: Motion, reach: float, end: float) -> float:
+        """When, counted from the motion's start and up to `end`, a ball meets this; else infinite.
+
+        `reach` is the distance in plan at which the ball touches a cushion's nose.
+        """
+        ...
+
+    def normal(self, x: float, y: float) -> tuple[float, float]:
+        """The unit vector from a ball at (x, y) into the element."""
+        ...
+
+    def gap(self, x: float, y: float, reach: float) -> float:
+        """How far a ball at (x, y) is from this, m; negative where they overlap."""
+        ...
+
+
+class Rail:
+    """A straight nose from (ax, ay) to (bx, by), with the table on its left."""
+
+    kind = "ball_cushion"
+
+    def __init__(self, name: str, ax: float, ay: float, bx: float, by: float) -> None:
+        self.name = name
+        self.ax, self.ay, self.bx, self.by = ax, ay, bx, by
+        self.length = math.hypot(bx - ax, by - ay)
+        self.dx, self.dy = (bx - ax) / self.length, (by - ay) / self.length
+
+    def time(self, motion: Motion, reach: float, end: float) -> float:
+        return time_ball_rail(motion, self, reach, end)
+
+    def normal(self, x: float, y: float) -> tuple[float, float]:
+        return self.dy, -self.dx
+
+    def gap(self, x: float, y: float, reach: float) -> float:
+        px, py = x - self.ax, y - self.ay
+        along = min(max(px * self.dx + py * self.dy, 0.0), self.length)
+        beyond = math.hypot(px - along * self.dx, py - along * self.dy)
+        behind = 0.0 < along < self.length and self.dx * py - self.dy * px < 0.0
+        return (-beyond if behind else beyond) - reach
+
+
+class Jaw:
+    """A rounded end of a cushion: a circle of `radius` in plan."""
+
+    kind = "ball_cushion"
+
+    def __init__(self, name: str, x: float, y: float, radius: float) -> None:
+        self.name = name
+        self.x, self.y, self.radius = x, y, radius
+
+    def time(self, motion: Motion, reach: float, end: float) -> float:
+        return time_ball_jaw(motion, self, reach, end)
+
+    def normal(self, x: float, y: float) -> tuple[float, float]:
+        distance = math.hypot(self.x - x, self.y - y)
+        return (self.x - x) / distance, (self.y - y) / distance
+
+    def gap(self, x: float, y: float, reach: float) -> float:
+        return math.hypot(self.x - x, self.y - y) - self.radius - reach
+
+
+class Pocket:
+    """The rim over which a ball falls: it drops when its centre is above the rim."""
+
+    kind = "ball_pocket"
+
+    def __init__(self, name: str, x: float, y: float, radius: float) -> None:
+        self.name = name
+        self.x, self.y, self.radius = x, y, radius
+
+    def time(self, motion: Motion, reach: float, end: float) -> float:
+        return time_ball_pocket(motion, self, end)
+
+    def normal(self, x: float, y: float) -> tuple[float, float]:
+        distance = math.hypot(self.x - x, self.y - y)
+        return ((self.x - x) / distance, (self.y - y) / distance) if distance > 0.0 else (1.0, 0.0)
+
+    def gap(self, x: float, y: float, reach: float) -> float:
+        return math.hypot(self.x - x, self.y - y) - self.radius
+
+
+def time_ball_ball(a: Motion, b: Motion, now: float, end: float, touch: float) -> float:
+    """When two balls, both moving as given from `now` to `end`, come within `touch` of each other."""
+    s, t = now - a.t0, now - b.t0
+    return now + _time_to_circle(
+        b.x + (b.vx + b.hx * t) * t - a.x - (a.vx + a.hx * s) * s,
+        b.y + (b.vy + b.hy * t) * t - a.y - (a.vy + a.hy * s) * s,
+        b.vx + 2.0 * b.hx * t - a.vx - 2.0 * a.hx * s,
+        b.vy + 2.0 * b.hy * t - a.vy - 2.0 * a.hy * s,
+        b.hx - a.hx,
+        b.hy - a.hy,
+        touch - SKIN,
+        end - now,
+    )
+
+
+def time_ball_rail(motion: Motion, rail: Rail, reach: float, end: float) -> float:
+    """When, after the motion's start, a ball meets a straight nose between its ends."""
+    nx, ny = -rail.dy, rail.dx
+    px, py = motion.x - rail.ax, motion.y - rail.ay
+    c0 = nx * px + ny * py - reach + SKIN
+    c1 = nx * motion.vx + ny * motion.vy
+    c2 = nx * motion.hx + ny * motion.hy
+    if -TOUCH <= c0 <= TOUCH:
+        t = 0.0 if c1 < -NOISE else falling_root(0.0, max(c1, NOISE), c2)
+    else:
+        t = falling_root(c0, c1, c2)
+    if not 0.0 <= t <= end:
+        return math.inf
+    along = (px + (motion.vx + motion.hx * t) * t) * rail.dx + (py + (motion.vy + motion.hy * t) * t) * rail.dy
+    return t if -SKIN <= along <= rail.length + SKIN else math.inf
+
+
+def time_ball_jaw(motion: Motion, jaw: Jaw, reach: float, end: float) -> float:
+    """When, after the motion's start, a ball meets a rounded jaw."""
+    return _time_to_circle(
+        jaw.x - motion.x, jaw.y - motion.y, -motion.vx, -motion.vy, -motion.hx, -motion.hy,
+        jaw.radius + reach - SKIN, end,
+    )  # fmt: skip
+
+
+def time_ball_pocket(motion: Motion, pocket: Pocket, end: float) -> float:
+    """When, after the motion's start, the centre of a ball passes a pocket's rim."""
+    return _time_to_circle(
+        pocket.x - motion.x, pocket.y - motion.y, -motion.vx, -motion.vy, -motion.hx, -motion.hy,
+        pocket.radius, end,
+    )  # fmt: skip
+
+
+def _time_to_circle(x: float, y: float, vx: float, vy: float, hx: float, hy: float, radius: float, end: float) -> float:
+    """When the point (x, y) + (vx, vy) t + (hx, hy) t^2 first enters a circle about the origin."""
+    # The path is a Bezier curve, within the triangle of its three control points. Where the triangle
+    # lies clear of the circle, on one side of its base or wholly before or behind, nothing is met.
+    bx, by = (vx + hx * end) * end, (vy + hy * end) * end
+    far = radius * radius * (bx * bx + by * by)
+    side0 = x * by - y * bx
+    side1 = side0 + 0.5 * end * (vx * by - vy * bx)
+    if side0 * side1 > 0.0 and side0 * side0 > far and side1 * side1 > far:
+        return math.inf
+    along0 = x * bx + y * by
+    along1 = along0 + 0.5 * end * (vx * bx + vy * by)
+    along2 = along0 + bx * bx + by * by
+    nearest = min(along0, along1, along2)
+    furthest = max(along0, along1, along2)
+    if (nearest > 0.0 and nearest * nearest > far) or (furthest < 0.0 and furthest * furthest > far):
+        return math.inf
+    c0 = x * x + y * y - radius * radius
+    c1 = 2.0 * (x * vx + y * vy)
+    c2 = vx * vx + vy * vy + 2.0 * (x * hx + y * hy)
+    c3 = 2.0 * (vx * hx + vy * hy)
+    c4 = hx * hx + hy * hy
+    unit = 2.0 * radius
+    if c0 > unit * TOUCH:
+        return first_root(c0, c1, c2, c3, c4, end)
+    # In contact: approaching is a hit now; else the contact at t = 0 is divided out.
+    if c1 < -unit * NOISE:
+        return 0.0
+    return first_root(max(c1, unit * NOISE), c2, c3, c4, 0.0, end)

@@ -1,0 +1,163 @@
+"""A ball on the cloth between two events, in closed form.
+
+With the slip at the cloth u = (vx - R wy, vy + R wx), a ball that slides is slowed by mu_s g against
+u, whose direction stays constant, so its path is a parabola; after 2|u| / (7 mu_s g) it rolls, at
+v - 2u/7. A rolling ball is slowed by mu_r g along its way. The spin about the vertical falls on its
+own at 5 mu_sp g / (2R). (Coriolis 1835; Alciatore TP 4.1, TP A.4.)
+"""
+
+from __future__ import annotations
+
+import math
+
+from .params import Cloth
+from .values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING, Ball
+
+# Below this a slip or a speed is rounding, m/s.
+STILL = 1e-9
+
+
+class Body:
+    """A ball at the present moment: what contacts change, and what a new motion starts from."""
+
+    __slots__ = ("id", "index", "radius", "mass", "x", "y", "vx", "vy", "wx", "wy", "wz")
+
+    def __init__(self, ball: Ball, index: int, radius: float, mass: float) -> None:
+        self.id = ball.id
+        self.index = index
+        self.radius = radius
+        self.mass = mass
+        self.x = ball.x
+        self.y = ball.y
+        self.vx = ball.vx
+        self.vy = ball.vy
+        self.wx = ball.wx
+        self.wy = ball.wy
+        self.wz = ball.wz
+
+    def energy(self) -> float:
+        """Kinetic energy of travel and spin, J."""
+        spin = self.wx * self.wx + self.wy * self.wy + self.wz * self.wz
+        return 0.5 * self.mass * (self.vx**2 + self.vy**2 + 0.4 * self.radius * self.radius * spin)
+
+
+class Motion:
+    """One ball from `t0` until `t1`: place quadratic in time, spin linear.
+
+    (x, y), (vx, vy), (wx, wy, wz) hold at `t0`; (hx, hy) is half the acceleration, (bx, by) the rate
+    of the horizontal spin and `bz` the speed at which |wz| falls. `t1` is where the phase ends by
+    itself, infinite for a ball at rest.
+    """
+
+    __slots__ = ("id", "phase", "t0", "t1", "x", "y", "vx", "vy", "hx", "hy", "wx", "wy", "wz", "bx", "by", "bz")
+
+    def __init__(
+        self, body: Body, phase: str, t0: float, t1: float,
+        hx: float = 0.0, hy: float = 0.0, bx: float = 0.0, by: float = 0.0, bz: float = 0.0,
+    ) -> None:  # fmt: skip
+        self.id = body.id
+        self.phase = phase
+        self.t0 = t0
+        self.t1 = t1
+        self.x = body.x
+        self.y = body.y
+        self.vx = body.vx
+        self.vy = body.vy
+        self.wx = body.wx
+        self.wy = body.wy
+        self.wz = body.wz
+        self.hx = hx
+        self.hy = hy
+        self.bx = bx
+        self.by = by
+        self.bz = bz
+
+    def move(self, body: Body, t: float) -> None:
+        """Bring `body` to where this motion is at time `t`."""
+        s = t - self.t0
+        body.x = self.x + (self.vx + self.hx * s) * s
+        body.y = self.y + (self.vy + self.hy * s) * s
+        body.vx = self.vx + 2.0 * self.hx * s
+        body.vy = self.vy + 2.0 * self.hy * s
+        body.wx = self.wx + self.bx * s
+        body.wy = self.wy + self.by * s
+        body.wz = toward_zero(self.wz, self.bz * s)
+
+    def at(self, t: float) -> Ball:
+        """The ball at time `t`, within [t0, t1]."""
+        s = t - self.t0
+        return Ball(
+            self.id,
+            self.x + (self.vx + self.hx * s) * s,
+            self.y + (self.vy + self.hy * s) * s,
+            self.vx + 2.0 * self.hx * s,
+            self.vy + 2.0 * self.hy * s,
+            self.wx + self.bx * s,
+            self.wy + self.by * s,
+            toward_zero(self.wz, self.bz * s),
+            self.phase,
+        )
+
+
+def toward_zero(value: float, by: float) -> float:
+    """`value` brought nearer to zero by `by`, and not past it."""
+    if value > 0.0:
+        return value - by if value > by else 0.0
+    return value + by if value < -by else 0.0
+
+
+def start(body: Body, t: float, cloth: Cloth, gravity: float) -> Motion:
+    """The motion of `body` from time `t` on, in the phase its velocity and spin put it."""
+    radius = body.radius
+    ux = body.vx - radius * body.wy
+    uy = body.vy + radius * body.wx
+    slip = math.hypot(ux, uy)
+    fall = 2.5 * cloth.mu_spin * gravity / radius
+    if slip > STILL:
+        grip = cloth.mu_slide * gravity / slip
+        ax, ay = -grip * ux, -grip * uy
+        turn = 2.5 / radius
+        return Motion(
+            body, SLIDING, t, t + 2.0 * slip / (7.0 * cloth.mu_slide * gravity),
+            0.5 * ax, 0.5 * ay, turn * ay, -turn * ax, fall,
+        )  # fmt: skip
+    roll(body, ux, uy)
+    speed = math.hypot(body.vx, body.vy)
+    if speed > STILL:
+        drag = cloth.mu_roll * gravity / speed
+        ax, ay = -drag * body.vx, -drag * body.vy
+        return Motion(
+            body, ROLLING, t, t + speed / (cloth.mu_roll * gravity),
+            0.5 * ax, 0.5 * ay, -ay / radius, ax / radius, fall,
+        )  # fmt: skip
+    body.vx = body.vy = body.wx = body.wy = 0.0
+    if body.wz != 0.0:
+        return Motion(body, SPINNING, t, t + abs(body.wz) / fall, bz=fall)
+    return Motion(body, RESTING, t, math.inf)
+
+
+def finish(motion: Motion, body: Body, cloth: Cloth, gravity: float) -> Motion:
+    """What follows `motion` when its phase has run out; `body` is brought to that moment."""
+    motion.move(body, motion.t1)
+    if motion.phase == SLIDING:
+        # Exactly at natural roll: the slip that rounding leaves must not start another slide.
+        roll(body, body.vx - body.radius * body.wy, body.vy + body.radius * body.wx)
+    else:
+        body.vx = body.vy = body.wx = body.wy = 0.0
+        if motion.phase == SPINNING:
+            body.wz = 0.0
+    return start(body, motion.t1, cloth, gravity)
+
+
+def pocketed(body: Body, t: float) -> Motion:
+    """A ball that has left the table, from time `t` on."""
+    body.vx = body.vy = body.wx = body.wy = body.wz = 0.0
+    return Motion(body, POCKETED, t, math.inf)
+
+
+def roll(body: Body, ux: float, uy: float) -> None:
+    """Give `body` the natural roll that ends its slip (ux, uy): v - 2u/7 (Coriolis; Alciatore TP A.4)."""
+    body.vx -= 2.0 / 7.0 * ux
+    body.vy -= 2.0 / 7.0 * uy
+    body.wx = -body.vy / body.radius
+    body.wy = body.vx / body.radius

@@ -1,0 +1,51 @@
+"""The physical knobs: cloth, balls, cushions, cue."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ..knobs import choice, knob
+from .contact import BALL_LAWS, CUSHION_LAWS
+
+
+@dataclass(frozen=True, slots=True)
+class Cloth:
+    mu_slide: float = knob(0.2, 0.01, 1.0, "", "sliding friction of a ball on the cloth")
+    mu_roll: float = knob(0.01, 0.001, 0.2, "", "rolling resistance of the cloth")
+    mu_spin: float = knob(0.0127, 0.001, 0.5, "", "friction that slows spin about the vertical")
+
+
+@dataclass(frozen=True, slots=True)
+class BallKnobs:
+    radius: float = knob(0.028575, 0.01, 0.06, "m", "radius of a ball")
+    mass: float = knob(0.17, 0.01, 2.0, "kg", "mass of a ball")
+    restitution: float = knob(0.95, 0.0, 1.0, "", "speed kept along the line of centres, ball on ball")
+    friction: float = knob(0.06, 0.0, 1.0, "", "friction between two balls")
+    law: str = choice("impulse", tuple(BALL_LAWS), "how two balls exchange impulse")
+
+
+@dataclass(frozen=True, slots=True)
+class CushionKnobs:
+    restitution: float = knob(0.85, 0.0, 1.0, "", "speed kept across the cushion")
+    friction: float = knob(0.14, 0.0, 1.0, "", "friction between a ball and the cushion")
+    nose_height: float = knob(0.0362903, 0.01, 0.1, "m", "height of the cushion's nose above the cloth")
+    law: str = choice("impulse", tuple(CUSHION_LAWS), "how a cushion returns a ball")
+
+
+@dataclass(frozen=True, slots=True)
+class Cue:
+    mass: float = knob(0.54, 0.1, 2.0, "kg", "mass of the cue")
+    end_mass: float = knob(0.0085, 0.0, 0.1, "kg", "mass of the shaft's end that moves aside: squirt; 0 is none")
+    tip_restitution: float = knob(0.73, 0.0, 1.0, "", "restitution of the tip: leather 0.71-0.75, phenolic 0.81-0.87")
+    tip_friction: float = knob(0.6, 0.05, 10.0, "", "friction of the chalked tip: sets where a miscue begins")
+
+
+@dataclass(frozen=True, slots=True)
+class Physics:
+    """Every physical parameter of one table."""
+
+    gravity: float = knob(9.81, 0.1, 30.0, "m/s2", "acceleration of free fall")
+    cloth: Cloth = field(default_factory=Cloth)
+    ball: BallKnobs = field(default_factory=BallKnobs)
+    cushion: CushionKnobs = field(default_factory=CushionKnobs)
+    cue: Cue = field(default_factory=Cue)

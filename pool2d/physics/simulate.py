@@ -1,0 +1,222 @@
+"""The event loop: find the next contact before it happens, move to it exactly, solve it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from heapq import heappop, heappush
+from typing import Any, Protocol
+
+from ..errors import BudgetError, InputError
+from .contact import BALL_LAWS, CUSHION_LAWS, strike
+from .detect import Element, time_ball_ball
+from .motion import Body, Motion, finish, pocketed, start
+from .params import Physics
+from .rollout import Event, Rollout
+from .values import POCKETED, ROLLING, SLIDING, SPINNING, Ball, Layout, Shot
+
+# Far above what any shot takes (a break takes some hundreds).
+BUDGET = 50_000
+# Bodies that meet more slowly than this, m/s, are being pressed together by the cloth's friction.
+# They then feel the friction of the next moment, s, at once, so that they part with a speed and the
+# pressing becomes a few small bounces; it is the same impulse, that much earlier.
+PRESSED, MOMENT = 1e-4, 2e-3
+
+
+class Field(Protocol):
+    """What the loop needs of a table."""
+
+    @property
+    def physics(self) -> Physics: ...
+
+    @property
+    def elements(self) -> Sequence[Element]: ...
+
+    def near(self, left: float, bottom: float, right: float, top: float) -> list[int]:
+        """The indices of the elements that a box, in m, may touch: the broad phase."""
+        ...
+
+    def body_of(self, ball: Ball) -> tuple[float, float]:
+        """Radius and mass of a ball, its own or the table's."""
+        ...
+
+    def settle(self, layout: Layout) -> Layout:
+        """The layout with its balls exactly where they may stand; raises InputError where they may not."""
+        ...
+
+    def scenario(self, layout: Layout, shot: Shot | None) -> dict[str, Any]:
+        """Table, balls and shot in the form of a scenario file."""
+        ...
+
+
+def simulate(
+    table: Field, layout: Layout, shot: Shot | None = None, *, events: int | None = None, budget: int = BUDGET
+) -> Rollout:
+    """Play `layout` from its velocities and, where given, a shot, until every ball is at rest.
+
+    `events` stops after that many events. Raises InputError where the shot's ball is not on the table
+    or the shot is out of range, BudgetError where the shot takes more than `budget` events.
+    """
+    layout = table.settle(layout)
+    world = _World(table, layout)
+    if shot is not None:
+        world.strike(shot)
+    limit = budget if events is None else min(events, budget)
+    while len(world.events) < limit and world.advance():
+        pass
+    truncated = world.advance(look=True)
+    if truncated and limit == budget:
+        raise BudgetError(budget, world.now, table.scenario(layout, shot))
+    return Rollout(layout, {track[0].id: track for track in world.tracks}, world.events, truncated)
+
+
+class _World:
+    """The balls in motion and the queue of what may happen to them.
+
+    A queue entry is (time, ball, other, version of ball, version of other), where `other` is a ball,
+    -1 for the ball's own change of phase, or -2 - e for table element e. An entry whose versions are
+    not the present ones is stale: the ball has moved otherwise since.
+    """
+
+    def __init__(self, table: Field, layout: Layout) -> None:
+        self.table = table
+        self.physics = table.physics
+        self.elements = table.elements
+        self.ball_law = BALL_LAWS[table.physics.ball.law]
+        self.cushion_law = CUSHION_LAWS[table.physics.cushion.law]
+        self.now = 0.0
+        self.events: list[Event] = []
+        self.queue: list[tuple[float, int, int, int, int]] = []
+        # Sorted, so that the order in which balls are given is of no consequence.
+        balls = sorted(layout.on_table())
+        self.bodies = [Body(ball, index, *table.body_of(ball)) for index, ball in enumerate(balls)]
+        self.reach = [_reach(body.radius, table.physics.cushion.nose_height) for body in self.bodies]
+        self.touch = [[2.0 * math.sqrt(a.radius * b.radius) for b in self.bodies] for a in self.bodies]
+        self.version = [0] * len(balls)
+        self.motion = [start(body, 0.0, self.physics.cloth, self.physics.gravity) for body in self.bodies]
+        self.tracks = [[motion] for motion in self.motion]
+        for body in self.bodies:
+            self.predict(body.index)
+
+    def strike(self, shot: Shot) -> None:
+        shot.check()
+        body = next((body for body in self.bodies if body.id == shot.ball), None)
+        if body is None:
+            raise InputError("shot", "shot.ball", shot.ball, "not a ball on the table")
+        if shot.speed > 0.0:
+            clean = strike(body, shot, self.physics.cue)
+            self.record("cue_ball", None if clean else "miscue", [body])
+
+    def advance(self, look: bool = False) -> bool:
+        """Carry out the next event; False where there is none. `look` only tells whether there is."""
+        while self.queue:
+            t, i, other, version, other_version = self.queue[0]
+            if version == self.version[i] and (other < 0 or other_version == self.version[other]):
+                if not look:
+                    heappop(self.queue)
+                    self.now = t
+                    self.happen(i, other)
+                return True
+            heappop(self.queue)
+        return False
+
+    def happen(self, i: int, other: int) -> None:
+        """Solve the event that has come: a change of phase, a contact of two balls, or with the table."""
+        body = self.bodies[i]
+        if other == -1:
+            phase = self.motion[i].phase
+            motion = finish(self.motion[i], body, self.physics.cloth, self.physics.gravity)
+            kind = "sliding_rolling" if phase == SLIDING else "spin_end" if phase == SPINNING else "rolling_resting"
+            self.record(kind, None, [body], [motion])
+            return
+        self.motion[i].move(body, self.now)
+        if other >= 0:
+            partner = self.bodies[other]
+            self.motion[other].move(partner, self.now)
+            self.press(body, partner.x - body.x, partner.y - body.y, partner)
+            self.ball_law(body, partner, self.physics)
+            self.record("ball_ball", None, [body, partner])
+            return
+        element = self.elements[-2 - other]
+        if element.kind == "ball_pocket":
+            self.record(element.kind, element.name, [body], [pocketed(body, self.now)])
+            return
+        nx, ny = element.normal(body.x, body.y)
+        self.press(body, nx, ny)
+        self.cushion_law(body, nx, ny, self.physics)
+        self.record(element.kind, element.name, [body])
+
+    def press(self, body: Body, nx: float, ny: float, partner: Body | None = None) -> None:
+        """Where cloth friction alone holds two together, bring its next moment forward."""
+        vx, vy = (body.vx - partner.vx, body.vy - partner.vy) if partner else (body.vx, body.vy)
+        if vx * nx + vy * ny < PRESSED * math.hypot(nx, ny):
+            for one in (body, partner):
+                if one:
+                    x, y = one.x, one.y
+                    motion = start(one, 0.0, self.physics.cloth, self.physics.gravity)
+                    motion.move(one, min(MOMENT, motion.t1))
+                    one.x, one.y = x, y
+
+    def record(self, kind: str, where: str | None, bodies: list[Body], new: list[Motion] | None = None) -> None:
+        """Note an event, and let its bodies go on from their present state."""
+        if new is None:
+            new = [start(body, self.now, self.physics.cloth, self.physics.gravity) for body in bodies]
+        self.events.append(Event(self.now, kind, where, [self.motion[body.index] for body in bodies], new))
+        for body, motion in zip(bodies, new, strict=True):
+            self.motion[body.index] = motion
+            self.tracks[body.index].append(motion)
+            self.version[body.index] += 1
+        for body in bodies:
+            self.predict(body.index)
+
+    def predict(self, i: int) -> None:
+        """Queue what may come of ball i's new motion: its own next event, and each ball that it may meet.
+
+        A motion holds until it ends or its ball meets the table, so nothing later is looked for. That
+        also bounds what is found for a pair: where the other ball's motion ends, it is asked again.
+        """
+        motion, now = self.motion[i], self.now
+        if motion.phase == POCKETED:
+            return
+        end, own = motion.t1, -1
+        moves = motion.phase == SLIDING or motion.phase == ROLLING
+        if moves:
+            reach, s = self.reach[i], end - now
+            (left, right), (bottom, top) = _span(motion, s)
+            for index in self.table.near(left - reach, bottom - reach, right + reach, top + reach):
+                t = now + self.elements[index].time(motion, reach, s)
+                if t < end:
+                    end, own = t, -2 - index
+        if end < math.inf:
+            heappush(self.queue, (end, i, own, self.version[i], 0))
+        (left, right), (bottom, top) = _span(motion, end - now)
+        touch = self.touch[i]
+        for j, other in enumerate(self.motion):
+            if j == i or other.phase == POCKETED:
+                continue
+            if other.hx == 0.0 == other.hy:
+                # At rest. A look at the box that the motion stays in spares most of the work.
+                room = touch[j]
+                if not (moves and left - room < other.x < right + room and bottom - room < other.y < top + room):
+                    continue
+            t = time_ball_ball(motion, other, now, min(end, other.t1), touch[j])
+            if t < math.inf:
+                a, b = (i, j) if i < j else (j, i)
+                heappush(self.queue, (t, a, b, self.version[a], self.version[b]))
+
+
+def _reach(radius: float, nose: float) -> float:
+    """How far from a nose line, in plan, a ball's centre is when it touches: R cos th, sin th = h/R - 1."""
+    return math.sqrt(nose * (2.0 * radius - nose))
+
+
+def _span(motion: Motion, s: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """A box that holds the first s seconds of a motion, as (left, right), (bottom, top).
+
+    It goes round the three control points of the path, which is a Bezier curve. A ball at rest has no end.
+    """
+    if s == math.inf:
+        return (motion.x, motion.x), (motion.y, motion.y)
+    x1, x2 = motion.x + 0.5 * motion.vx * s, motion.x + (motion.vx + motion.hx * s) * s
+    y1, y2 = motion.y + 0.5 * motion.vy * s, motion.y + (motion.vy + motion.hy * s) * s
+    return (min(motion.x, x1, x2), max(motion.x, x1, x2)), (min(motion.y, y1, y2), max(motion.y, y1, y2))

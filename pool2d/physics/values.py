@@ -1,0 +1,122 @@
+"""The values that go into a shot and come out of it: Ball, Layout, Shot."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from ..errors import InputError
+
+RESTING = "resting"
+SPINNING = "spinning"
+ROLLING = "rolling"
+SLIDING = "sliding"
+POCKETED = "pocketed"
+
+
+class Ball(NamedTuple):
+    """One ball at one moment.
+
+    Place in m, velocity in m/s, spin in rad/s; `phase` is resting, spinning, rolling, sliding or
+    pocketed. A radius or mass of None means the table's own.
+    """
+
+    id: str
+    x: float
+    y: float
+    vx: float = 0.0
+    vy: float = 0.0
+    wx: float = 0.0
+    wy: float = 0.0
+    wz: float = 0.0
+    phase: str = RESTING
+    radius: float | None = None
+    mass: float | None = None
+
+    def still(self) -> Ball:
+        """The same ball at rest."""
+        return Ball(self.id, self.x, self.y, radius=self.radius, mass=self.mass)
+
+    def state(self) -> dict[str, Any]:
+        """What `simulate --json` prints of a ball."""
+        return {name: getattr(self, name) for name in STATE_FIELDS}
+
+
+MOTION_FIELDS = ("x", "y", "vx", "vy", "wx", "wy", "wz")
+STATE_FIELDS = (*MOTION_FIELDS, "phase")
+
+
+class Layout(Mapping[str, Ball]):
+    """Balls by id: an immutable value."""
+
+    __slots__ = ("_balls",)
+
+    def __init__(self, balls: Iterable[Ball] = ()) -> None:
+        self._balls = {ball.id: ball for ball in balls}
+
+    def __getitem__(self, ball_id: str) -> Ball:
+        return self._balls[ball_id]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._balls)
+
+    def __len__(self) -> int:
+        return len(self._balls)
+
+    def __repr__(self) -> str:
+        return f"Layout({list(self._balls.values())!r})"
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self._balls.values()))
+
+    def put(self, *balls: Ball) -> Layout:
+        """A copy with these balls added or replaced."""
+        return Layout({**self._balls, **{ball.id: ball for ball in balls}}.values())
+
+    def without(self, *ids: str) -> Layout:
+        """A copy lacking these balls."""
+        return Layout(ball for ball in self._balls.values() if ball.id not in ids)
+
+    def on_table(self) -> list[Ball]:
+        """The balls that have not been pocketed."""
+        return [ball for ball in self._balls.values() if ball.phase != POCKETED]
+
+
+@dataclass(frozen=True, slots=True)
+class Shot:
+    """How the cue meets a ball.
+
+    `angle` is the cue's direction in degrees; `speed` the cue's at impact, m/s; `side` and `height`
+    the tip's offset as fractions of the ball's radius, in the plane across the cue (side > 0 is
+    right-hand english, height > 0 is follow); `elevation` the butt's angle above level, degrees.
+    """
+
+    angle: float = 0.0
+    speed: float = 5.0
+    side: float = 0.0
+    height: float = 0.0
+    elevation: float = 0.0
+    ball: str = "cue"
+
+    def check(self, source: str = "shot") -> None:
+        """Raises InputError where a number is not finite, out of range, or the tip misses the ball."""
+        for name, (lo, hi, unit) in SHOT_RANGES.items():
+            value = getattr(self, name)
+            if not (math.isfinite(value) and lo <= value <= hi):
+                raise InputError(source, f"shot.{name}", value, f"allowed is a number from {lo:g} to {hi:g}{unit}")
+        if math.hypot(self.side, self.height) > 1.0:
+            raise InputError(
+                source, "shot.side, shot.height", (self.side, self.height),
+                "the tip is off the ball; allowed is side^2 + height^2 up to 1",
+            )  # fmt: skip
+
+
+SHOT_RANGES: dict[str, tuple[float, float, str]] = {
+    "angle": (-3600.0, 3600.0, " degrees"),
+    "speed": (0.0, 50.0, " m/s"),
+    "side": (-1.0, 1.0, ""),
+    "height": (-1.0, 1.0, ""),
+    "elevation": (0.0, 90.0, " degrees"),
+}

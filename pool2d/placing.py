@@ -1,0 +1,102 @@
+"""Whether balls may stand where a layout puts them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from .errors import InputError
+from .knobs import Knob
+from .physics.detect import Pocket
+from .physics.values import MOTION_FIELDS, Ball, Layout
+
+if TYPE_CHECKING:
+    from .table import Table
+
+# Balls drawn this much into each other or into a cushion, m, are set apart: numbers get rounded on
+# their way through files. More is an error.
+SLACK = 1e-6
+
+RANGES: dict[str, Knob] = {
+    "x": Knob(0.0, -100.0, 100.0, "m", "place along the table"),
+    "y": Knob(0.0, -100.0, 100.0, "m", "place across the table"),
+    "vx": Knob(0.0, -50.0, 50.0, "m/s", "velocity along the table"),
+    "vy": Knob(0.0, -50.0, 50.0, "m/s", "velocity across the table"),
+    "wx": Knob(0.0, -5000.0, 5000.0, "rad/s", "spin about the table's length"),
+    "wy": Knob(0.0, -5000.0, 5000.0, "rad/s", "spin about the table's width"),
+    "wz": Knob(0.0, -5000.0, 5000.0, "rad/s", "spin about the vertical"),
+    "radius": Knob(0.028575, 0.01, 0.06, "m", "radius, the table's own where not given"),
+    "mass": Knob(0.17, 0.01, 2.0, "kg", "mass, the table's own where not given"),
+}
+
+
+def settle(table: Table, layout: Layout) -> Layout:
+    """The layout with its balls exactly where they may stand.
+
+    Raises InputError for a number out of range, a ball off the table, in a pocket or a cushion, and
+    for balls that overlap by more than SLACK.
+    """
+    balls = sorted(layout.on_table())
+    for ball in balls:
+        _check(table, ball)
+    moved: dict[str, Ball] = {}
+    # Setting one pair apart may press another; a rack settles in a few rounds.
+    for _ in range(50):
+        apart = _set_apart(table, [moved.get(ball.id, ball) for ball in balls])
+        if not apart:
+            break
+        moved.update(apart)
+    return layout.put(*moved.values()) if moved else layout
+
+
+def _check(table: Table, ball: Ball) -> None:
+    source = table.source
+    for name in MOTION_FIELDS:
+        RANGES[name].check(getattr(ball, name), source, f"balls.{ball.id}.{name}")
+    for name in ("radius", "mass"):
+        if (value := getattr(ball, name)) is not None:
+            RANGES[name].check(value, source, f"balls.{ball.id}.{name}")
+    radius = table.body_of(ball)[0]
+    if table.knobs.cushion.nose_height >= 2.0 * radius:
+        allowed = f"a ball must be higher than the cushion's nose, {table.knobs.cushion.nose_height:g} m"
+        raise InputError(source, f"balls.{ball.id}.radius", radius, allowed)
+    place = (ball.x, ball.y)
+    if not table.on_cloth(ball.x, ball.y):
+        knobs, reach = table.knobs.table, table.reach(radius)
+        allowed = (
+            f"the ball is off the table; allowed is x from {reach:.4f} to {knobs.length - reach:.4f} m"
+            f" and y from {reach:.4f} to {knobs.width - reach:.4f} m"
+        )
+        raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
+    gap, element = table.element_gap(ball.x, ball.y, radius)
+    if gap < -SLACK and element is not None:
+        what = "in the pocket" if isinstance(element, Pocket) else "inside the cushion"
+        allowed = f"the ball is {what} {element.name}, by {-gap:.3g} m; allowed is none"
+        raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
+
+
+def _set_apart(table: Table, balls: list[Ball]) -> dict[str, Ball]:
+    """Those balls that were drawn a hair into something, moved out of it."""
+    moved: dict[str, Ball] = {}
+    for i, ball in enumerate(balls):
+        radius = table.body_of(ball)[0]
+        gap, element = table.element_gap(ball.x, ball.y, radius)
+        if -SLACK <= gap < 0.0 and element is not None and not isinstance(element, Pocket):
+            nx, ny = element.normal(ball.x, ball.y)
+            ball = ball._replace(x=ball.x + gap * nx, y=ball.y + gap * ny)
+            moved[ball.id] = ball
+        for other in balls[:i]:
+            touch = table.touch(ball, other)
+            dx, dy = ball.x - other.x, ball.y - other.y
+            if abs(dx) >= touch or abs(dy) >= touch or (overlap := touch - math.hypot(dx, dy)) <= 1e-16:
+                continue
+            if overlap > 2.0 * SLACK:
+                raise InputError(
+                    table.source, f"balls.{ball.id}, balls.{other.id}", (ball.x, ball.y),
+                    f"the balls overlap by {overlap:.3g} m; allowed is none",
+                )  # fmt: skip
+            share = 0.5000001 * overlap / (touch - overlap)
+            moved[ball.id] = ball._replace(x=ball.x + share * dx, y=ball.y + share * dy)
+            moved[other.id] = other._replace(x=other.x - share * dx, y=other.y - share * dy)
+            return moved
+    return moved

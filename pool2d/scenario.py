@@ -1,0 +1,126 @@
+"""Scenario files: a table, balls and perhaps a shot, as TOML or JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .errors import InputError, suggest
+from .physics.rollout import Rollout
+from .physics.simulate import simulate
+from .physics.values import MOTION_FIELDS, Ball, Layout, Shot
+from .placing import RANGES
+from .preset import load_table, read_toml
+from .table import Table
+
+_KEYS = ("table", "set", "balls", "shot")
+_BALL_KEYS = ("id", *MOTION_FIELDS, "radius", "mass")
+_SHOT_KEYS = tuple(Shot.__dataclass_fields__)
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """A table, the balls on it and a shot, if any."""
+
+    table: Table
+    layout: Layout
+    shot: Shot | None
+
+    def simulate(self, events: int | None = None) -> Rollout:
+        """Play it; see `pool2d.simulate`."""
+        return simulate(self.table, self.layout, self.shot, events=events)
+
+
+def load_scenario(path: str | Path, overrides: Mapping[str, Any] | None = None) -> Scenario:
+    """Read a scenario file; `overrides` sets dotted knobs on top of the file's own.
+
+    Raises InputError naming the file, the key, the value and what is allowed.
+    """
+    source = str(path)
+    data = _read(Path(path))
+    try:
+        return _scenario(data, source, overrides or {})
+    except InputError as error:
+        # A table named in the file is a file of its own, and speaks for itself.
+        raise error if error.source.endswith(".toml") and error.source != source else error.at(source) from None
+
+
+def _read(path: Path) -> dict[str, Any]:
+    if path.suffix == ".toml":
+        return read_toml(path)
+    if path.suffix != ".json":
+        raise InputError(str(path), "", None, "a scenario's name ends in .toml or .json")
+    try:
+        data = json.loads(path.read_bytes().decode("utf-8"))
+    except OSError as error:
+        raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
+    except (ValueError, RecursionError) as error:
+        raise InputError(str(path), "", None, f"not a JSON file: {error}") from error
+    if not isinstance(data, dict):
+        raise InputError(str(path), "", None, "allowed is a JSON object with " + ", ".join(_KEYS))
+    return data
+
+
+def _scenario(data: Mapping[str, Any], source: str, overrides: Mapping[str, Any]) -> Scenario:
+    _known(data, _KEYS, source, "")
+    name = data.get("table", "pool-9ft")
+    if not isinstance(name, str):
+        raise InputError(source, "table", name, "allowed is a preset's name or a path to a .toml file")
+    if name.endswith(".toml") and not Path(name).is_absolute():
+        beside = Path(source).parent / name
+        name = str(beside) if beside.is_file() else name
+    own = data.get("set", {})
+    if not isinstance(own, dict):
+        raise InputError(source, "set", own, "allowed is a section of dotted knob names and values")
+    table = load_table(name, {**own, **overrides})
+    entries = data.get("balls", [])
+    if not isinstance(entries, list):
+        raise InputError(source, "balls", entries, "allowed is a list of balls")
+    balls: dict[str, Ball] = {}
+    for number, entry in enumerate(entries):
+        ball = _ball(entry, source, f"balls[{number}]")
+        if ball.id in balls:
+            raise InputError(source, f"balls[{number}].id", ball.id, "another ball has this id")
+        balls[ball.id] = ball
+    layout = table.settle(Layout(balls.values()))
+    return Scenario(table, layout, _shot(data["shot"], layout, source) if "shot" in data else None)
+
+
+def _ball(entry: Any, source: str, key: str) -> Ball:
+    if not isinstance(entry, dict):
+        raise InputError(source, key, entry, "allowed is a ball: " + ", ".join(_BALL_KEYS))
+    _known(entry, _BALL_KEYS, source, key + ".")
+    name = entry.get("id")
+    if not isinstance(name, str) or not name:
+        raise InputError(source, f"{key}.id", name, "allowed is a text that is not empty")
+    for needed in ("x", "y"):
+        if needed not in entry:
+            raise InputError(source, f"{key}.{needed}", None, f"missing; needed is {RANGES[needed].allowed()}")
+    numbers = {
+        field: RANGES[field].check(value, source, f"{key}.{field}") for field, value in entry.items() if field != "id"
+    }
+    return Ball(name, **numbers)  # type: ignore[arg-type]
+
+
+def _shot(entry: Any, layout: Layout, source: str) -> Shot:
+    if not isinstance(entry, dict):
+        raise InputError(source, "shot", entry, "allowed is a section with " + ", ".join(_SHOT_KEYS))
+    _known(entry, _SHOT_KEYS, source, "shot.")
+    for key, value in entry.items():
+        right = isinstance(value, str) if key == "ball" else type(value) in (int, float)
+        if not right:
+            raise InputError(source, f"shot.{key}", value, f"allowed is a {'ball' if key == 'ball' else 'number'}")
+    shot = Shot(**entry)
+    shot.check(source)
+    if shot.ball not in layout:
+        raise InputError(source, "shot.ball", shot.ball, suggest(shot.ball, layout))
+    return shot
+
+
+def _known(data: Mapping[str, Any], keys: tuple[str, ...], source: str, prefix: str) -> None:
+    for key in data:
+        if key not in keys:
+            raise InputError(source, prefix + key, data[key], suggest(key, keys))

@@ -1,0 +1,217 @@
+"""A table: knobs, geometry and a pymunk Space that holds it.
+
+The Space is the broad phase of the engine and the way to ask what is where. It is the only place that
+knows pymunk. Balls are not in it: they move along closed forms, not steps. One Space must never be
+queried from two threads: it aborts the process.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import pymunk
+
+from .errors import InputError, suggest
+from .geometry import CornerKnobs, SideKnobs, TableKnobs, build, rectangle
+from .knobs import apply
+from .physics.detect import Element, Jaw, Pocket, Rail, time_ball_ball
+from .physics.motion import Body, Motion
+from .physics.params import Physics
+from .physics.values import MOTION_FIELDS, POCKETED, RESTING, ROLLING, Ball, Layout, Shot
+from .placing import settle
+from .racks import Furniture, arrange
+
+
+@dataclass(frozen=True, slots=True)
+class Knobs(Physics):
+    """Every parameter of a table."""
+
+    table: TableKnobs = field(default_factory=TableKnobs)
+    corner: CornerKnobs = field(default_factory=CornerKnobs)
+    side: SideKnobs = field(default_factory=SideKnobs)
+
+
+class Table:
+    """A table to play on. Immutable; `with_knobs` makes a changed copy.
+
+    `source` says where it came from, for messages and scenarios; `set` what was overridden since.
+    """
+
+    def __init__(
+        self, source: str, title: str, knobs: Knobs, furniture: Furniture, overrides: Mapping[str, Any] | None = None
+    ) -> None:
+        self.source = source
+        self.title = title
+        self.base = knobs
+        self.set = dict(overrides or {})
+        self.knobs = apply(knobs, self.set, source)
+        self.furniture = furniture
+        if self.knobs.cushion.nose_height >= 2.0 * self.knobs.ball.radius:
+            raise InputError(
+                source, "cushion.nose_height", self.knobs.cushion.nose_height,
+                f"the nose must be lower than a ball is high, {2.0 * self.knobs.ball.radius:g} m",
+            )  # fmt: skip
+        corners = rectangle(self.knobs.table.length, self.knobs.table.width)
+        self._corners = [(corner.x, corner.y) for corner in corners]
+        self.geometry = build(corners, self.knobs.corner, self.knobs.side, source)
+        self._space = pymunk.Space()
+        self._index: dict[pymunk.Shape, int] = {}
+        for index, element in enumerate(self.geometry.elements):
+            shape = _shape(element, self._space.static_body)
+            self._space.add(shape)
+            self._index[shape] = index
+
+    @property
+    def physics(self) -> Physics:
+        return self.knobs
+
+    @property
+    def elements(self) -> tuple[Element, ...]:
+        return self.geometry.elements
+
+    def with_knobs(self, overrides: Mapping[str, Any]) -> Table:
+        """A copy with dotted knobs set on top of what was set before; raises InputError."""
+        return Table(self.source, self.title, self.base, self.furniture, {**self.set, **overrides})
+
+    def rack(self, name: str, seed: int = 0) -> Layout:
+        """The balls of a rack with the cue ball on the head spot; `seed` draws what the rules leave open.
+
+        Raises InputError for a rack the table does not have.
+        """
+        if name not in self.furniture.racks:
+            raise InputError(self.source, "racks", name, suggest(name, self.furniture.racks))
+        rng = random.Random(f"{name} {seed}")
+        return self.settle(arrange(self.furniture, name, self.knobs.ball.radius, rng))
+
+    # What the engine asks.
+
+    def near(self, left: float, bottom: float, right: float, top: float) -> list[int]:
+        """The indices of the elements that a box may touch, in order."""
+        index = self._index
+        hits = self._space.bb_query(pymunk.BB(left, bottom, right, top), _ALL)
+        return sorted([index[shape] for shape in hits])
+
+    def body_of(self, ball: Ball) -> tuple[float, float]:
+        """Radius and mass of a ball: its own, or the table's."""
+        knobs = self.knobs.ball
+        return (
+            knobs.radius if ball.radius is None else ball.radius,
+            knobs.mass if ball.mass is None else ball.mass,
+        )
+
+    def touch(self, a: Ball, b: Ball) -> float:
+        """How far apart, in plan, the centres of two balls are that touch: 2 sqrt(R1 R2) on one cloth."""
+        return 2.0 * math.sqrt(self.body_of(a)[0] * self.body_of(b)[0])
+
+    def settle(self, layout: Layout) -> Layout:
+        """The layout as the engine takes it; see `placing.settle`."""
+        return settle(self, layout)
+
+    def scenario(self, layout: Layout, shot: Shot | None) -> dict[str, Any]:
+        """Table, balls and shot in the form of a scenario file."""
+        entry: dict[str, Any] = {"table": self.source, "set": dict(self.set), "balls": []}
+        for ball in layout.values():
+            given = {"id": ball.id, **{name: getattr(ball, name) for name in MOTION_FIELDS}}
+            given.update({name: value for name in ("radius", "mass") if (value := getattr(ball, name)) is not None})
+            if ball.phase != POCKETED:
+                entry["balls"].append(given)
+        if shot is not None:
+            entry["shot"] = {name: getattr(shot, name) for name in Shot.__dataclass_fields__}
+        return entry
+
+    # What a person asks.
+
+    def reach(self, radius: float) -> float:
+        """How far from a nose, in plan, a ball's centre is when it touches."""
+        nose = self.knobs.cushion.nose_height
+        return math.sqrt(nose * (2.0 * radius - nose))
+
+    def on_cloth(self, x: float, y: float) -> bool:
+        """Whether a point is on the playing surface or in a pocket's throat."""
+        return _inside(x, y, self._corners) or _inside(x, y, self.geometry.outline)
+
+    def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:
+        """How far a ball here is from the nearest element, and which; infinite where none is near."""
+        reach = self.reach(radius)
+        gaps = [
+            (self.elements[index].gap(x, y, reach), index)
+            for index in self.near(x - radius, y - radius, x + radius, y + radius)
+        ]
+        gap, index = min(gaps, default=(math.inf, -1))
+        return gap, self.elements[index] if index >= 0 else None
+
+    def has_room(self, x: float, y: float, radius: float, layout: Layout, ignore: str = "") -> bool:
+        """Whether a ball fits here, touching nothing but by contact. `ignore` is a ball not to count."""
+        if not self.on_cloth(x, y) or self.element_gap(x, y, radius)[0] < 0.0:
+            return False
+        here = Ball("", x, y, radius=radius)
+        return all(
+            math.hypot(ball.x - x, ball.y - y) >= self.touch(here, ball)
+            for ball in layout.on_table()
+            if ball.id != ignore
+        )
+
+    def under(self, x: float, y: float, layout: Layout) -> str | None:
+        """The id of the ball at a point, or else the name of the pocket or cushion there."""
+        for ball in layout.on_table():
+            if math.hypot(ball.x - x, ball.y - y) <= self.body_of(ball)[0]:
+                return ball.id
+        hits = [
+            (element.gap(x, y, 0.0), element.name) for element in map(self.elements.__getitem__, self.near(x, y, x, y))
+        ]
+        gap, name = min(hits, default=(math.inf, ""))
+        return name if gap <= 0.0 else None
+
+    def cast(
+        self, x: float, y: float, dx: float, dy: float, layout: Layout, radius: float | None = None, ignore: str = ""
+    ) -> tuple[float, str | None]:
+        """What a ball sent straight from (x, y) along (dx, dy) meets first: the distance and its id or name.
+
+        Infinite and None where it meets nothing, as a ball that starts outside may.
+        """
+        size = math.hypot(dx, dy)
+        end = 2.0 * (self.knobs.table.length + self.knobs.table.width)
+        ball = Ball("", x, y, dx / size, dy / size, radius=radius)
+        body = Body(ball, 0, *self.body_of(ball))
+        way = Motion(body, ROLLING, 0.0, end)
+        far_x, far_y = x + body.vx * end, y + body.vy * end
+        near = [self.elements[i] for i in self.near(min(x, far_x), min(y, far_y), max(x, far_x), max(y, far_y))]
+        hits: list[tuple[float, str | None]] = [
+            (element.time(way, self.reach(body.radius), end), element.name) for element in near
+        ]
+        for other in layout.on_table():
+            if other.id != ignore:
+                still = Motion(Body(other.still(), 0, *self.body_of(other)), RESTING, 0.0, end)
+                hits.append((time_ball_ball(way, still, 0.0, end, self.touch(ball, other)), other.id))
+        return min(hits, key=lambda hit: hit[0], default=(math.inf, None))
+
+
+_ALL = pymunk.ShapeFilter()
+
+
+def _inside(x: float, y: float, polygon: Sequence[tuple[float, float]]) -> bool:
+    """Whether a point is inside a polygon: a ray from it crosses the edge an odd number of times."""
+    inside = False
+    bx, by = polygon[-1]
+    for ax, ay in polygon:
+        if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
+            inside = not inside
+        bx, by = ax, ay
+    return inside
+
+
+def _shape(element: Element, body: pymunk.Body) -> pymunk.Shape:
+    """A static shape that covers an element: a segment for a nose, a circle for a jaw or a drop."""
+    if isinstance(element, Rail):
+        return pymunk.Segment(body, (element.ax, element.ay), (element.bx, element.by), 0.0)
+    if isinstance(element, Jaw):
+        return pymunk.Circle(body, element.radius, (element.x, element.y))
+    if isinstance(element, Pocket):
+        shape = pymunk.Circle(body, element.radius, (element.x, element.y))
+        shape.sensor = True
+        return shape
+    raise TypeError(f"no shape for a {type(element).__name__}")
