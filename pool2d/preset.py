@@ -21,8 +21,7 @@ def load_table(name: str | Path, overrides: Mapping[str, Any] | None = None) -> 
 
     `overrides` sets dotted knobs on top. Raises InputError, naming the file and the key.
     """
-    source = str(name)
-    path = Path(source) if source.endswith(".toml") else asset("tables", source + ".toml")
+    source, path = str(name), preset_path(str(name))
     if not source.endswith(".toml") and not path.is_file():
         raise InputError("table", "table", source, f"{suggest(source, presets())}; or a path to a .toml file")
     data = read_toml(path)
@@ -35,6 +34,11 @@ def load_table(name: str | Path, overrides: Mapping[str, Any] | None = None) -> 
     if not isinstance(title, str):
         raise InputError(source, "name", title, "allowed is a text")
     return Table(source, title, knobs, _furniture(data, source), overrides)
+
+
+def preset_path(name: str) -> Path:
+    """The file behind a preset's name or path."""
+    return Path(name) if name.endswith(".toml") else asset("tables", name + ".toml")
 
 
 def presets() -> list[str]:

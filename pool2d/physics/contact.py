@@ -48,18 +48,22 @@ def impulse_balls(a: Body, b: Body, physics: Physics) -> None:
         return
     ease = 1.0 / a.mass + 1.0 / b.mass
     push = (approach + rebound(approach, physics.ball.restitution)) / (flat * flat * ease)
+    for ball, sign in ((a, -1.0), (b, 1.0)):
+        ball.vx += sign * push * nx / ball.mass
+        ball.vy += sign * push * ny / ball.mass
+    # The slip is taken after the push, which changes it where the normal is tilted: else friction might drive it.
     px, py, pz = a.radius * a.wx + b.radius * b.wx, a.radius * a.wy + b.radius * b.wy, a.radius * a.wz + b.radius * b.wz
-    sx = a.vx - b.vx + py * nz - pz * ny - approach * nx
-    sy = a.vy - b.vy + pz * nx - px * nz - approach * ny
-    sz = px * ny - py * nx - approach * nz
+    sx, sy, sz = a.vx - b.vx + py * nz - pz * ny, a.vy - b.vy + pz * nx - px * nz, px * ny - py * nx
+    along = sx * nx + sy * ny + sz * nz
+    sx, sy, sz = sx - along * nx, sy - along * ny, sz - along * nz
     slip = math.sqrt(sx * sx + sy * sy + sz * sz)
     rub = 0.0 if slip == 0.0 else min(physics.ball.friction * push, slip / (3.5 * ease)) / slip
     # The friction on a; b feels its opposite, and both turn the same way, for both arms point at the contact.
     fx, fy, fz = -rub * sx, -rub * sy, -rub * sz
     mx, my, mz = ny * fz - nz * fy, nz * fx - nx * fz, nx * fy - ny * fx
     for ball, sign in ((a, 1.0), (b, -1.0)):
-        ball.vx += sign * (fx - push * nx) / ball.mass
-        ball.vy += sign * (fy - push * ny) / ball.mass
+        ball.vx += sign * fx / ball.mass
+        ball.vy += sign * fy / ball.mass
         turn = 2.5 / (ball.mass * ball.radius)
         ball.wx += turn * mx
         ball.wy += turn * my

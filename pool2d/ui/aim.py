@@ -1,0 +1,59 @@
+"""How the player means to strike, and how hands change it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from ..physics.values import Shot
+
+# The speed of a full pull, and how far that is in pixels whatever the window's size: it is the same
+# hand that pulls. The first pixels are free, so that a click is not a shot, and slow speeds get room.
+MAX_SPEED = 10.0
+FULL_PULL = 260.0
+FREE_PULL = 6.0
+_CURVE = 1.6
+# How far the tip may be set from the centre, in radii: past the miscue limit, but on the ball.
+MAX_OFFSET = 0.7
+MAX_ELEVATION = 80.0
+
+
+@dataclass(frozen=True, slots=True)
+class Aim:
+    """The cue before the stroke: like a Shot, with the speed that a key stroke would have."""
+
+    angle: float = 0.0
+    speed: float = 3.0
+    side: float = 0.0
+    height: float = 0.0
+    elevation: float = 0.0
+
+    def shot(self, ball: str, speed: float | None = None) -> Shot:
+        """The shot it makes."""
+        given = self.speed if speed is None else speed
+        return Shot(self.angle, given, self.side, self.height, self.elevation, ball)
+
+    def toward(self, dx: float, dy: float) -> Aim:
+        """Aimed along (dx, dy) in table directions."""
+        return replace(self, angle=math.degrees(math.atan2(dy, dx)) % 360.0)
+
+    def turned(self, degrees: float) -> Aim:
+        return replace(self, angle=(self.angle + degrees) % 360.0)
+
+    def with_spin(self, side: float, height: float) -> Aim:
+        """With the tip set there, or as far out that way as it may be."""
+        offset = math.hypot(side, height)
+        shrink = MAX_OFFSET / offset if offset > MAX_OFFSET else 1.0
+        return replace(self, side=round(side * shrink, 3), height=round(height * shrink, 3))
+
+    def with_elevation(self, degrees: float) -> Aim:
+        return replace(self, elevation=min(max(round(degrees, 1), 0.0), MAX_ELEVATION))
+
+    def with_speed(self, speed: float) -> Aim:
+        return replace(self, speed=min(max(round(speed, 2), 0.1), MAX_SPEED))
+
+
+def pulled_speed(pixels: float) -> float:
+    """The cue's speed, m/s, after pulling back this far; 0 where it is no pull."""
+    part = (pixels - FREE_PULL) / (FULL_PULL - FREE_PULL)
+    return MAX_SPEED * math.pow(min(max(part, 0.0), 1.0), _CURVE)

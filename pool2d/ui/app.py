@@ -1,0 +1,140 @@
+"""The window and its loop."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pygame
+
+from ..errors import InputError
+from ..game.session import Session
+from ..preset import load_table, preset_path
+from ..table import Table
+from .keys import action_of
+from .play import Play
+from .scene import Scene
+
+SIZE = (1280, 720)
+_FPS = 60
+# How often the open preset's file is looked at, s.
+_WATCH = 0.5
+
+
+class App:
+    """A window on a table. `step` is one frame; tests post events and call it as the loop does."""
+
+    def __init__(self, table: Table, seed: int, size: tuple[int, int] = SIZE) -> None:
+        pygame.display.init()
+        pygame.font.init()
+        pygame.key.set_repeat(300, 30)
+        pygame.display.set_caption(f"pool2d \N{EN DASH} {table.title}")
+        self.size = size
+        self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        self.play = Play(Session(table, seed=seed))
+        self.scene: Scene | None = self.play
+        self._file = Watched(table)
+
+    def step(self, dt: float) -> bool:
+        """Take the waiting events, let `dt` seconds pass and draw; False when the player has quit."""
+        for event in pygame.event.get():
+            if event.type == pygame.QUIT:
+                self.scene = None
+            elif not self._window(event) and self.scene is not None:
+                self.scene = self.scene.handle(event)
+        if self.scene is not None:
+            self.scene = self.scene.update(dt)
+        if self.scene is None:
+            return False
+        self._watch(dt)
+        self.scene.draw(self.surface)
+        pygame.display.flip()
+        return True
+
+    def run(self, frames: int | None = None) -> None:
+        """Play until the player quits, or for a number of frames."""
+        clock = pygame.time.Clock()
+        dt = 0.0
+        count = 0
+        while (frames is None or count < frames) and self.step(dt):
+            # A long pause, such as a window being dragged, is not made up for.
+            dt = min(clock.tick(_FPS) / 1000.0, 0.1)
+            count += 1
+
+    def close(self) -> None:
+        pygame.display.quit()
+
+    def _window(self, event: pygame.event.Event) -> bool:
+        """Whether an event was about the window itself, which is then done."""
+        if event.type == pygame.VIDEORESIZE:
+            self.surface = pygame.display.get_surface() or self.surface
+            return True
+        action = action_of(event.key, getattr(event, "mod", 0)) if event.type == pygame.KEYDOWN else None
+        if action == "fullscreen":
+            self._toggle_fullscreen()
+        elif action == "screenshot":
+            self._screenshot()
+        return action in ("fullscreen", "screenshot")
+
+    def _toggle_fullscreen(self) -> None:
+        if self.surface.get_flags() & pygame.FULLSCREEN:
+            self.surface = pygame.display.set_mode(self.size, pygame.RESIZABLE)
+        else:
+            self.size = self.surface.get_size()
+            self.surface = pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
+
+    def _screenshot(self) -> None:
+        path = Path(time.strftime("pool2d-%Y%m%d-%H%M%S.png")).absolute()
+        try:
+            pygame.image.save(self.surface, path)
+            self.play.message = f"Saved {path}"
+        except (OSError, pygame.error) as error:
+            self.play.message = f"The picture could not be saved: {error}"
+
+    def _watch(self, dt: float) -> None:
+        """Take a saved change of the preset's file, or say what is wrong with it and keep the old table."""
+        if self._file.changed(dt):
+            try:
+                self.play.change_table(load_table(self._file.source, self.play.session.table.set))
+                self.play.warning = ""
+            except InputError as error:
+                self.play.warning = str(error)
+
+
+class Watched:
+    """The file behind a table, and whether it has changed since it was last looked at."""
+
+    def __init__(self, table: Table) -> None:
+        self.source = table.source
+        self._path = preset_path(table.source)
+        self._stamp = self._read()
+        self._wait = _WATCH
+
+    def changed(self, dt: float) -> bool:
+        """Whether the file has changed; asks the disk only now and then."""
+        self._wait -= dt
+        if self._wait > 0.0:
+            return False
+        self._wait = _WATCH
+        stamp = self._read()
+        if stamp == self._stamp:
+            return False
+        self._stamp = stamp
+        return True
+
+    def _read(self) -> tuple[int, int] | None:
+        try:
+            status = self._path.stat()
+        except OSError:
+            return None
+        return status.st_mtime_ns, status.st_size
+
+
+def play(table: Table, seed: int | None = None, frames: int | None = None) -> int:
+    """Open a window and play; returns the exit status."""
+    app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed)
+    try:
+        app.run(frames)
+    finally:
+        app.close()
+    return 0

@@ -1,0 +1,112 @@
+"""What the present aim would do, taken from the real simulation, and how it is drawn."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import pygame
+
+from ..physics.motion import Motion
+from ..physics.rollout import Rollout
+from ..physics.values import POCKETED, SLIDING, Ball
+from ..table import Table
+from . import ball_art, pen, theme
+from .view import View
+
+OFF, LINE, GHOST, WHOLE = range(4)
+LEVELS = ("off", "line", "ghost ball", "whole shot")
+# Enough events to see past the first contact, also out of a rack.
+EVENTS = 40
+# How far the ways after the contact are followed, m.
+_AFTER = 0.6
+
+Line = list[tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    """The ways of a shot in m: the cue ball's to its first contact with a ball, and what follows.
+
+    `ghost` is the cue ball at that contact; `after` its way on, `object` the way of the ball it hits.
+    """
+
+    cue: Line
+    ghost: Ball | None
+    after: Line
+    object: Line
+
+
+def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
+    """The guide of a rollout; `length` is how far the ways after the contact are followed."""
+    contact = next((event for event in rollout.events if event.kind == "ball_ball" and cue in event.balls), None)
+    if contact is None:
+        return Guide(trace(rollout, cue), None, [], [])
+    hit = next(ball for ball in contact.balls if ball != cue)
+    return Guide(
+        trace(rollout, cue, end=contact.t),
+        contact.before[cue],
+        trace(rollout, cue, start=contact.t, length=length),
+        trace(rollout, hit, start=contact.t, length=length),
+    )
+
+
+def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf, length: float = math.inf) -> Line:
+    """The way of a ball between two times as a line of points, cut after `length` m."""
+    points: Line = []
+    track = rollout.tracks[ball]
+    ends = [*(motion.t0 for motion in track[1:]), rollout.duration]
+    for motion, last in zip(track, ends, strict=True):
+        t0, t1 = max(start, motion.t0), min(end, last)
+        if t0 < t1 and motion.phase != POCKETED:
+            points += _sampled(motion, t0, t1)
+    return _cut(points, length)
+
+
+def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
+    """Draw the guide at a level from LINE up."""
+    scale = max(1.0, view.scale / 400.0)
+    _line(surface, theme.GUIDE_CUE, guide.cue, view, 1.6 * scale)
+    if guide.ghost is None:
+        return
+    radius = table.body_of(guide.ghost)[0] * view.scale
+    centre = view.to_screen(guide.ghost.x, guide.ghost.y)
+    pen.ring(surface, theme.GUIDE_CUE, centre, radius - 0.5, 1.4 * scale)
+    if level >= GHOST:
+        _line(surface, theme.GUIDE_CUE, guide.after, view, 1.2 * scale)
+        _line(surface, theme.GUIDE_BALL, guide.object, view, 1.8 * scale)
+
+
+def draw_whole(surface: pygame.Surface, rollout: Rollout, table: Table, view: View) -> None:
+    """Draw every ball's way to its end, and where it comes to rest."""
+    scale = max(1.0, view.scale / 400.0)
+    for ball in rollout.layout().values():
+        if len(rollout.tracks.get(ball.id, ())) > 1:
+            color = theme.GUIDE_CUE if ball.id == table.furniture.cue else theme.GUIDE_BALL
+            _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.2 * scale)
+            if ball.phase != POCKETED:
+                radius = table.body_of(ball)[0] * view.scale
+                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, faint=True)
+
+
+def _sampled(motion: Motion, start: float, end: float) -> Line:
+    """Points along a motion: its ends, and more where it bends."""
+    steps = 10 if motion.phase == SLIDING else 1
+    balls = (motion.at(start + (end - start) * step / steps) for step in range(steps + 1))
+    return [(ball.x, ball.y) for ball in balls]
+
+
+def _cut(points: Line, length: float) -> Line:
+    """The first `length` m of a line."""
+    for i in range(1, len(points)):
+        (ax, ay), (bx, by) = points[i - 1], points[i]
+        step = math.hypot(bx - ax, by - ay)
+        if step > length:
+            part = length / step
+            return [*points[:i], (ax + part * (bx - ax), ay + part * (by - ay))]
+        length -= step
+    return points
+
+
+def _line(surface: pygame.Surface, color: theme.Color, points: Line, view: View, width: float) -> None:
+    pen.path(surface, color, [view.to_screen(x, y) for x, y in points], width)

@@ -1,0 +1,155 @@
+"""The bars above and below the table, with the ball diagram and the cue diagram."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import pygame
+
+from ..physics.contact import miscue_limit
+from . import pen, text, theme
+from .aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
+
+
+@dataclass(frozen=True, slots=True)
+class Screen:
+    """Where things are in a window of a given size."""
+
+    width: int
+    height: int
+
+    @property
+    def unit(self) -> int:
+        return theme.unit(min(self.height, self.width * 9 // 16))
+
+    @property
+    def small(self) -> int:
+        return self.unit * 7 // 4
+
+    @property
+    def large(self) -> int:
+        return self.unit * 5 // 2
+
+    @property
+    def top(self) -> pygame.Rect:
+        return pygame.Rect(0, 0, self.width, self.unit * 4)
+
+    @property
+    def bottom(self) -> pygame.Rect:
+        return pygame.Rect(0, self.height - self.unit * 9, self.width, self.unit * 9)
+
+    @property
+    def table(self) -> tuple[int, int, int, int]:
+        """The room between the bars, as left, top, width, height."""
+        return 0, self.top.bottom, self.width, max(1, self.bottom.top - self.top.bottom)
+
+    @property
+    def ball_diagram(self) -> pygame.Rect:
+        return pygame.Rect(self.unit * 2, self.bottom.top + self.unit // 2, self.unit * 8, self.unit * 8)
+
+    @property
+    def cue_diagram(self) -> pygame.Rect:
+        return pygame.Rect(
+            self.ball_diagram.right + self.unit * 2, self.ball_diagram.top, self.unit * 14, self.unit * 8
+        )
+
+    @property
+    def power(self) -> pygame.Rect:
+        left = self.cue_diagram.right + self.unit * 3
+        return pygame.Rect(left, self.bottom.top + self.unit * 6, self.unit * 22, self.unit)
+
+    @property
+    def message(self) -> pygame.Rect:
+        left = self.power.right + self.unit * 4
+        return pygame.Rect(left, self.bottom.top, max(1, self.width - left - self.unit * 2), self.unit * 9)
+
+    def spin_at(self, pos: tuple[int, int]) -> tuple[float, float]:
+        """The tip's (side, height) for a point on the ball diagram."""
+        box = self.ball_diagram
+        return (pos[0] - box.centerx) / (box.width / 2), (box.centery - pos[1]) / (box.width / 2)
+
+    def elevation_at(self, pos: tuple[int, int]) -> float:
+        """The cue's elevation for a point on the cue diagram, degrees."""
+        ball = self.cue_ball_centre
+        return math.degrees(math.atan2(ball[1] - pos[1], max(1.0, ball[0] - pos[0])))
+
+    @property
+    def cue_ball_centre(self) -> tuple[float, float]:
+        """The ball in the cue diagram, which is seen from the side."""
+        box = self.cue_diagram
+        return box.right - self.unit * 2.5, box.bottom - self.unit * 2.5
+
+
+def draw_bars(surface: pygame.Surface, screen: Screen, title: str, note: str) -> None:
+    """The two bars, with the table's name on the left of the upper one and a note on its right."""
+    for bar in (screen.top, screen.bottom):
+        surface.fill(theme.PANEL[:3], bar)
+    y = screen.top.centery
+    text.draw(surface, title, screen.small, theme.QUIET, (screen.unit * 2, y), (0.0, 0.5))
+    text.draw(surface, note, screen.small, theme.TEXT, (screen.width - screen.unit * 2, y), (1.0, 0.5))
+
+
+def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: float, tip_friction: float) -> None:
+    """The ball diagram, the cue diagram and the speed."""
+    _ball_diagram(surface, screen, aim, miscue_limit(tip_friction))
+    _cue_diagram(surface, screen, aim)
+    bar = screen.power
+    radius = bar.height // 2
+    y = screen.bottom.top + screen.unit * 2
+    text.draw(surface, f"{speed:.2f} m/s", screen.large, theme.TEXT, (bar.left, y))
+    angle = f"{aim.angle:.2f}\N{DEGREE SIGN}"
+    text.draw(surface, angle, screen.small, theme.QUIET, (bar.right, y + screen.large // 3), (1.0, 0.0))
+    pygame.draw.rect(surface, theme.EDGE, bar, border_radius=radius)
+    filled = bar.copy()
+    filled.width = round(bar.width * min(1.0, speed / MAX_SPEED))
+    if filled.width > 0:
+        pygame.draw.rect(surface, theme.ACCENT, filled, border_radius=radius)
+
+
+def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color) -> None:
+    """The message, in as many lines as it needs and the bar has."""
+    box = screen.message
+    lines = text.wrap(message, screen.small, box.width)
+    pitch = text.font(screen.small).get_linesize()
+    room = max(1, box.height // pitch)
+    if len(lines) > room:
+        lines = (*lines[: room - 1], lines[room - 1] + " \N{HORIZONTAL ELLIPSIS}")
+    y = box.centery - pitch * len(lines) / 2
+    for line in lines:
+        text.draw(surface, line, screen.small, color, (box.left, y))
+        y += pitch
+
+
+def _ball_diagram(surface: pygame.Surface, screen: Screen, aim: Aim, limit: float) -> None:
+    box = screen.ball_diagram
+    centre, radius = box.center, box.width / 2
+    pen.disc(surface, theme.IVORY, centre, radius)
+    for x, y in ((1.0, 0.0), (0.0, 1.0)):
+        a = (centre[0] - x * radius * MAX_OFFSET, centre[1] - y * radius * MAX_OFFSET)
+        b = (centre[0] + x * radius * MAX_OFFSET, centre[1] + y * radius * MAX_OFFSET)
+        pen.line(surface, (200, 196, 184), a, b, 1.0)
+    if limit < 1.0:
+        pen.ring(surface, (176, 170, 156), centre, radius * limit, 1.2)
+    clean = math.hypot(aim.side, aim.height) <= limit
+    tip = (centre[0] + aim.side * radius, centre[1] - aim.height * radius)
+    pen.disc(surface, theme.CUE_TIP if clean else theme.WARNING, tip, radius * 0.2)
+
+
+def _cue_diagram(surface: pygame.Surface, screen: Screen, aim: Aim) -> None:
+    box, unit = screen.cue_diagram, screen.unit
+    centre, radius = screen.cue_ball_centre, unit * 1.5
+    floor = centre[1] + radius
+    pen.line(surface, theme.CLOTH, (box.left, floor), (box.right, floor), 2.0)
+    tilt = math.radians(aim.elevation)
+    ahead, up = (math.cos(tilt), math.sin(tilt)), (math.sin(tilt), -math.cos(tilt))
+    # The tip's place on the ball, seen from the right-hand side of the shot; y grows downward here.
+    start = (centre[0] - ahead[0] * radius + up[0] * aim.height * radius,
+             centre[1] - ahead[1] * radius + up[1] * aim.height * radius)  # fmt: skip
+    length = unit * (9.5 if aim.elevation < 40.0 else 7.0 - 2.0 * aim.elevation / MAX_ELEVATION)
+    butt = (start[0] - ahead[0] * length, start[1] - ahead[1] * length)
+    pen.disc(surface, theme.IVORY, centre, radius)
+    pen.line(surface, theme.CUE_SHAFT, start, butt, unit * 0.45)
+    pen.line(surface, theme.CUE_TIP, start, (start[0] - ahead[0] * 4, start[1] - ahead[1] * 4), unit * 0.45)
+    label = f"{aim.elevation:.0f}\N{DEGREE SIGN}"
+    text.draw(surface, label, screen.small, theme.QUIET, (box.left, box.top))

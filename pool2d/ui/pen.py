@@ -1,0 +1,67 @@
+"""Antialiased shapes on a surface, in pixels."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+import pygame
+import pygame.gfxdraw
+
+from .theme import Color
+
+Point = tuple[float, float]
+
+# Circles are placed to this part of a pixel.
+_STEPS = 4
+
+
+def line(surface: pygame.Surface, color: Color, a: Point, b: Point, width: float = 1.5) -> None:
+    """A straight line of any width."""
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    length = math.hypot(dx, dy)
+    if length > 0.0:
+        ox, oy = -dy / length * width / 2.0, dx / length * width / 2.0
+        corners = [(a[0] + ox, a[1] + oy), (b[0] + ox, b[1] + oy), (b[0] - ox, b[1] - oy), (a[0] - ox, a[1] - oy)]
+        polygon(surface, color, corners)
+
+
+def path(surface: pygame.Surface, color: Color, points: Sequence[Point], width: float = 1.5) -> None:
+    """A line through several points."""
+    for a, b in pairwise(points):
+        line(surface, color, a, b, width)
+
+
+def polygon(surface: pygame.Surface, color: Color, points: Sequence[Point]) -> None:
+    """A filled polygon."""
+    pygame.gfxdraw.aapolygon(surface, points, color)
+    pygame.gfxdraw.filled_polygon(surface, points, color)
+
+
+def disc(surface: pygame.Surface, color: Color, centre: Point, radius: float) -> None:
+    """A filled circle."""
+    ring(surface, color, centre, radius / 2.0, radius)
+
+
+def ring(surface: pygame.Surface, color: Color, centre: Point, radius: float, width: float = 1.5) -> None:
+    """A circle's line, half of its width to either side of the radius."""
+    x, y = round(centre[0] * _STEPS), round(centre[1] * _STEPS)
+    image = _ring(color, round(radius, 1), round(width, 1), x % _STEPS, y % _STEPS)
+    half = image.get_width() // 2
+    surface.blit(image, (x // _STEPS - half, y // _STEPS - half))
+
+
+@lru_cache(maxsize=512)
+def _ring(color: Color, radius: float, width: float, step_x: int, step_y: int) -> pygame.Surface:
+    half = math.ceil(radius + width / 2.0) + 2
+    across = np.arange(-half, half + 1, dtype=np.float64)
+    distance = np.hypot(across[:, None] - step_x / _STEPS, across[None, :] - step_y / _STEPS)
+    cover = np.clip(width / 2.0 + 0.5 - np.abs(distance - radius), 0.0, 1.0)
+    image = pygame.Surface((2 * half + 1, 2 * half + 1), pygame.SRCALPHA)
+    image.fill(color)
+    alpha = color[3] if len(color) == 4 else 255
+    pygame.surfarray.pixels_alpha(image)[...] = (cover * alpha).astype(np.uint8)
+    return image

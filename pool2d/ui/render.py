@@ -1,0 +1,35 @@
+"""A scenario as a picture: the table, the balls, and the ways of the shot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pygame
+
+from ..errors import InputError
+from ..physics.values import POCKETED
+from ..scenario import Scenario
+from . import ball_art, guide, table_art
+from .view import fit
+
+
+def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
+    """Write the picture; a ball is shown where it starts, and faintly where it ends.
+
+    Raises InputError where the file cannot be written.
+    """
+    pygame.font.init()
+    table = scenario.table
+    view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
+    picture = table_art.draw(table, size, view)
+    guide.draw_whole(picture, scenario.simulate(), table, view)
+    for ball in scenario.layout.values():
+        if ball.phase != POCKETED:
+            radius = table.body_of(ball)[0] * view.scale
+            ball_art.draw(picture, ball.id, view.to_screen(ball.x, ball.y), radius)
+    if out.suffix.lower() not in (".png", ".jpg", ".bmp", ".tga"):
+        raise InputError(str(out), "", None, "a picture's name ends in .png, .jpg, .bmp or .tga")
+    try:
+        pygame.image.save(picture, out)
+    except (OSError, pygame.error) as error:
+        raise InputError(str(out), "", None, f"cannot be written: {error}") from error

@@ -1,0 +1,23 @@
+"""What every screen of the game is: it takes events, lets time pass, and draws itself."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import pygame
+
+
+class Scene(Protocol):
+    """A screen. The next state is the return value: a scene returns itself, another, or None to quit."""
+
+    def handle(self, event: pygame.event.Event) -> Scene | None:
+        """Take one event."""
+        ...
+
+    def update(self, dt: float) -> Scene | None:
+        """Let `dt` seconds pass."""
+        ...
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Draw the whole window."""
+        ...

@@ -1,0 +1,55 @@
+"""Text in the one bundled font: measured, wrapped and cached."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import pygame
+
+from ..assets import asset
+from .theme import Color
+
+
+@lru_cache(maxsize=32)
+def font(size: int) -> pygame.font.Font:
+    """The font at a height of `size` pixels; pygame's own where the file is missing or damaged."""
+    try:
+        return pygame.font.Font(asset("fonts", "OpenSans-Semibold.ttf"), size)
+    except (OSError, pygame.error):
+        return pygame.font.Font(None, size)
+
+
+@lru_cache(maxsize=512)
+def picture(text: str, size: int, color: Color) -> pygame.Surface:
+    """One line of text as a surface."""
+    return font(size).render(text, True, color)
+
+
+def draw(
+    surface: pygame.Surface,
+    text: str,
+    size: int,
+    color: Color,
+    place: tuple[float, float],
+    anchor: tuple[float, float] = (0.0, 0.0),
+) -> pygame.Rect:
+    """Draw one line; `anchor` says which point of it is put at `place`: (0, 0) top left, (0.5, 0.5) centre."""
+    image = picture(text, size, color)
+    corner = (round(place[0] - anchor[0] * image.get_width()), round(place[1] - anchor[1] * image.get_height()))
+    return surface.blit(image, corner)
+
+
+@lru_cache(maxsize=128)
+def wrap(text: str, size: int, width: int) -> tuple[str, ...]:
+    """The text in lines no wider than `width` pixels; a word longer than that is broken."""
+    lines: list[str] = []
+    for word in text.split():
+        if lines and font(size).size(f"{lines[-1]} {word}")[0] <= width:
+            lines[-1] += " " + word
+            continue
+        while font(size).size(word)[0] > width and len(word) > 1:
+            cut = next((n for n in range(len(word), 1, -1) if font(size).size(word[:n])[0] <= width), 1)
+            lines.append(word[:cut])
+            word = word[cut:]
+        lines.append(word)
+    return tuple(lines)
