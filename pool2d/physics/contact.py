@@ -110,6 +110,28 @@ def squirt(side: float, ball_mass: float, end_mass: float) -> float:
     return math.atan(2.5 * side * math.sqrt(depth) / (1.0 + ball_mass / end_mass + 2.5 * depth))
 
 
+def hop(shot: Shot, mass: float, physics: Physics) -> tuple[float, float, float, float]:
+    """How a ball struck downward would leave the slate: speed up, height, time in the air, way made in it.
+
+    The engine keeps balls on the cloth; this tells a player where that is not so. The ball is driven
+    into the slate at v sin(th) and comes back at e times that; friction with the cloth is left out.
+    """
+    tilt = math.radians(shot.elevation)
+    cue = physics.cue
+    offsets = 2.5 * (shot.side**2 + shot.height**2)
+    inertia = 1.0 / cue.mass + (math.cos(tilt) ** 2 + offsets) / mass
+    speed = (1.0 + cue.tip_restitution) * shot.speed / (inertia * mass)
+    return flight(speed, shot.elevation, physics.cloth.bounce, physics.gravity)
+
+
+def flight(speed: float, elevation: float, bounce: float, gravity: float) -> tuple[float, float, float, float]:
+    """Speed up, height, time and way of a ball sent into the slate at `speed` m/s and `elevation` degrees."""
+    tilt = math.radians(elevation)
+    up = bounce * speed * math.sin(tilt)
+    time = 2.0 * up / gravity
+    return up, up * up / (2.0 * gravity), time, speed * math.cos(tilt) * time
+
+
 def strike(ball: Body, shot: Shot, cue: Cue) -> bool:
     """Set `ball` moving as the cue sends it; True for a clean hit, False for a miscue.
 
@@ -140,7 +162,7 @@ def strike(ball: Body, shot: Shot, cue: Cue) -> bool:
     speed, turn = impulse / ball.mass, 2.5 * impulse / (ball.mass * ball.radius)
     vx, vy = speed * ahead, -speed * right
     wx, wy, wz = turn * (m_along * cos + m_up * sin), -turn * m_right, turn * (m_up * cos - m_along * sin)
-    aim = math.radians(shot.angle) + (squirt(a, ball.mass, cue.end_mass) if clean else 0.0)
+    aim = math.radians(shot.angle) + squirt(a, ball.mass, cue.end_mass)
     ca, sa = math.cos(aim), math.sin(aim)
     ball.vx, ball.vy = vx * ca - vy * sa, vx * sa + vy * ca
     ball.wx, ball.wy, ball.wz = wx * ca - wy * sa, wx * sa + wy * ca, wz

@@ -17,7 +17,7 @@ from .view import View
 OFF, LINE, GHOST, WHOLE = range(4)
 LEVELS = ("off", "line", "ghost ball", "whole shot")
 # Enough events to see past the first contact, also out of a rack.
-EVENTS = 40
+EVENTS = 25
 # How far the ways after the contact are followed, m.
 _AFTER = 0.6
 

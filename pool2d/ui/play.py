@@ -4,39 +4,48 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 from dataclasses import replace
 
 import pygame
 
 from ..errors import BudgetError, InputError
 from ..game.session import Session
+from ..physics.contact import hop
 from ..physics.rollout import Rollout
-from ..physics.simulate import simulate
-from ..physics.values import POCKETED, Ball, Layout
+from ..physics.values import POCKETED
 from ..table import Table
-from . import ball_art, cue_art, guide, hud, pen, table_art, theme
+from . import cue_art, guide, hud, theme
 from .aim import FULL_PULL, Aim, pulled_speed
 from .help import Help
 from .keys import action_of, fine_step
 from .scene import Scene
-from .view import View, fit
+from .stage import Stage
 
 _FAST = 8.0
 # The aim, once set by wheel or keys, stays until the pointer has moved this far, in pixels.
 _HOLD = 8.0
 # How far the cue stands back from the ball at rest and at full pull, m.
 _REST, _FULL = 0.02, 0.32
+# From this height on, m, the player is told that a real ball would leave the cloth.
+_HOP = 0.005
+
+_ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
+_SPIN = {"spin_up": (0.0, 0.05), "spin_down": (0.0, -0.05), "spin_left": (-0.05, 0.0), "spin_right": (0.05, 0.0)}
 
 
 class Play:
     """A session on screen.
 
-    What the hands hold: `pull` is where a pull began, `drag` the diagram being dragged, `hover` where
-    a cue ball in hand is shown. While `rollout` is set its balls are shown at `time`.
+    While `rollout` is set, its balls are shown at `time`. Of what the hands hold, `pull` is where a
+    pull began and `pulled` how far it has come, in pixels; `drag` names the diagram being dragged;
+    `hover` is where a cue ball in hand is held; `hold` is where the pointer was when the aim was set
+    by wheel or keys.
     """
 
     def __init__(self, session: Session) -> None:
         self.session = session
+        self.stage = Stage(session.table)
         self.aim = Aim()
         self.level = guide.GHOST
         self.rollout: Rollout | None = None
@@ -47,21 +56,29 @@ class Play:
         self.drag = ""
         self.hover: tuple[float, float] | None = None
         self.hold: tuple[int, int] | None = None
-        self.pointer = (0, 0)
+        self.pointer: tuple[int, int] | None = None
         self.message = "Aim with the mouse, press, pull back and release. F1 lists every key."
         self.warning = ""
-        self.screen = hud.Screen(1280, 720)
-        self.view = self._fit()
-        self._table_key: object = None
-        self._table_picture = pygame.Surface((1, 1))
-        self._guide_key: object = None
-        self._guide: Rollout | None = None
+        self._keys: dict[str, Callable[[], None]] = {
+            "harder": lambda: self._set_speed(0.25),
+            "softer": lambda: self._set_speed(-0.25),
+            "raise": lambda: self._raise(1.0),
+            "lower": lambda: self._raise(-1.0),
+            "no_spin": self._center,
+            "strike": self._enter,
+            "guide": self._next_guide,
+            "fast": self._fast_forward,
+            "replay": self._replay,
+            "undo": self._undo,
+            "rack": self._rack,
+            "cancel": self._cancel,
+        }
 
     # Events.
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if event.type == pygame.KEYDOWN:
-            return self._key(event)
+            return self._key(event.key, getattr(event, "mod", 0))
         if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
             self.fast = False
         elif event.type == pygame.MOUSEMOTION:
@@ -73,52 +90,28 @@ class Play:
         elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
             self._release(event.pos)
         elif event.type == pygame.MOUSEWHEEL:
-            self._turn(event.y * fine_step(getattr(event, "mod", 0) or pygame.key.get_mods()))
+            self._turn(event.y * fine_step(pygame.key.get_mods()))
         elif event.type == pygame.WINDOWFOCUSLOST:
             self.fast = False
             self._cancel()
         return self
 
-    def _key(self, event: pygame.event.Event) -> Scene | None:
-        mod = getattr(event, "mod", 0)
-        action = action_of(event.key, mod)
+    def _key(self, key: int, mod: int) -> Scene | None:
+        action = action_of(key, mod) or ""
         if action == "quit":
             return None
         if action == "help":
             return Help(self)
-        step = fine_step(mod)
-        spin, aim = 0.05, self.aim
-        if self.session.in_hand and not self.rollout and action in _ARROWS:
-            # Steps of 1 cm; Shift 2 mm, Ctrl 20 cm.
-            self._nudge(*_ARROWS[action], 0.2 * step)
+        if self._holding and action in _ARROWS:
+            # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
+            self._nudge(*_ARROWS[action], 0.2 * fine_step(mod))
         elif action in ("turn_left", "turn_right"):
-            self._turn(step if action == "turn_left" else -step)
-        elif action in ("harder", "softer"):
-            self.aim = aim.with_speed(aim.speed + (0.25 if action == "harder" else -0.25))
+            self._turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
         elif action in _SPIN:
             side, height = _SPIN[action]
-            self.aim = aim.with_spin(aim.side + spin * side, aim.height + spin * height)
-        elif action == "no_spin":
-            self.aim = replace(aim, side=0.0, height=0.0, elevation=0.0)
-        elif action in ("lower", "raise"):
-            self.aim = aim.with_elevation(aim.elevation + (1.0 if action == "raise" else -1.0))
-        elif action == "strike":
-            self._enter()
-        elif action == "guide":
-            self.level = (self.level + 1) % len(guide.LEVELS)
-            self._say(f"Guide: {guide.LEVELS[self.level]}")
-        elif action == "fast":
-            self.fast = True
-        elif action == "replay":
-            self._replay()
-        elif action == "undo":
-            self._undo()
-        elif action == "rack":
-            self.rollout = None
-            self.session.rack(random.randrange(1 << 30))
-            self._say("A new rack.")
-        elif action == "cancel":
-            self._cancel()
+            self.aim = self.aim.with_spin(self.aim.side + side, self.aim.height + height)
+        elif action in self._keys:
+            self._keys[action]()
         return self
 
     def _move(self, pos: tuple[int, int]) -> None:
@@ -129,16 +122,16 @@ class Play:
             angle = math.radians(self.aim.angle)
             # Back along the cue; on the screen y points down.
             self.pulled = (self.pull[0] - pos[0]) * math.cos(angle) - (self.pull[1] - pos[1]) * math.sin(angle)
-        elif self.session.in_hand:
-            self.hover = self.view.to_table(*pos)
+        elif self._holding:
+            self.hover = self.stage.view.to_table(*pos)
         else:
             self._point(pos)
 
     def _point(self, pos: tuple[int, int]) -> None:
         """Aim through the pointer, unless a fine aim is held or the pointer is on the ball itself."""
-        if self.hold is not None and math.dist(pos, self.hold) < _HOLD:
+        if self.session.in_hand or (self.hold is not None and math.dist(pos, self.hold) < _HOLD):
             return
-        x, y = self.view.to_table(*pos)
+        x, y = self.stage.view.to_table(*pos)
         cue = self.session.cue
         if math.hypot(x - cue.x, y - cue.y) > self.session.table.body_of(cue)[0]:
             self.hold = None
@@ -146,18 +139,14 @@ class Play:
 
     def _press(self, pos: tuple[int, int]) -> None:
         self.pointer = pos
-        if self.screen.ball_diagram.collidepoint(pos):
-            self.drag = "ball"
-        elif self.screen.cue_diagram.collidepoint(pos):
-            self.drag = "cue"
-        if self.drag:
+        screen = self.stage.screen
+        if screen.ball_diagram.collidepoint(pos) or screen.cue_diagram.collidepoint(pos):
+            self.drag = "ball" if screen.ball_diagram.collidepoint(pos) else "cue"
             self._drag(pos)
-        elif self.rollout:
-            return
-        elif self.session.in_hand:
-            self.hover = self.view.to_table(*pos)
+        elif self._holding:
+            self.hover = self.stage.view.to_table(*pos)
             self._place()
-        elif self.screen.top.bottom <= pos[1] < self.screen.bottom.top:
+        elif not self.rollout and screen.top.bottom <= pos[1] < screen.bottom.top:
             self._point(pos)
             self.pull, self.pulled = pos, 0.0
 
@@ -165,61 +154,91 @@ class Play:
         self._move(pos)
         self.drag = ""
         if self.pull is not None:
-            speed = pulled_speed(self.pulled)
             self.pull = None
+            speed = pulled_speed(self.pulled)
             if speed > 0.0:
                 self._strike(speed)
 
     def _drag(self, pos: tuple[int, int]) -> None:
         if self.drag == "ball":
-            self.aim = self.aim.with_spin(*self.screen.spin_at(pos))
+            self.aim = self.aim.with_spin(*self.stage.screen.spin_at(pos))
         else:
-            self.aim = self.aim.with_elevation(self.screen.elevation_at(pos))
+            self.aim = self.aim.with_elevation(self.stage.screen.elevation_at(pos))
 
-    def _cancel(self) -> None:
-        if self.pull is not None:
-            self._say("The cue is put down.")
-        self.pull = None
-        self.drag = ""
+    # What hands and keys lead to.
+
+    @property
+    def _holding(self) -> bool:
+        """Whether the player holds the cue ball."""
+        return self.session.in_hand and self.rollout is None
 
     def _turn(self, degrees: float) -> None:
         if self.pull is None:
             self.aim = self.aim.turned(degrees)
             self.hold = self.pointer
 
-    # What hands and keys lead to.
+    def _set_speed(self, by: float) -> None:
+        self.aim = self.aim.with_speed(self.aim.speed + by)
+
+    def _raise(self, degrees: float) -> None:
+        self.aim = self.aim.with_elevation(self.aim.elevation + degrees)
+
+    def _center(self) -> None:
+        self.aim = replace(self.aim, side=0.0, height=0.0, elevation=0.0)
+
+    def _next_guide(self) -> None:
+        self.level = (self.level + 1) % len(guide.LEVELS)
+        self.message = f"Guide: {guide.LEVELS[self.level]}"
+
+    def _fast_forward(self) -> None:
+        self.fast = True
+
+    def _cancel(self) -> None:
+        if self.pull is not None:
+            self.message = "The cue is put down."
+        self.pull = None
+        self.drag = ""
 
     def _enter(self) -> None:
         if self.rollout:
             self.time = self.rollout.duration
-        elif self.session.in_hand:
+        elif self._holding:
             self._place()
         else:
             self._strike(self.aim.speed)
 
     def _strike(self, speed: float) -> None:
+        self.pull = None
         try:
             self.rollout = self.session.play(self.aim.shot(self.session.cue.id, speed))
         except (InputError, BudgetError) as error:
-            self.warning = str(error)
+            self.message = str(error)
             return
         self.time = 0.0
-        self.pull = None
         missed = any(event.where == "miscue" for event in self.rollout.events)
-        self._say("Miscue: the tip slipped off the ball." if missed else "")
+        self.message = "Miscue: the tip slipped off the ball." if missed else ""
 
     def _replay(self) -> None:
         if self.session.rollout is None:
-            self._say("There is no shot to see again.")
+            self.message = "There is no shot to see again."
         elif not self.rollout:
             self.rollout, self.time = self.session.rollout, 0.0
-            self._say("The last shot again.")
+            self.message = "The last shot again."
 
     def _undo(self) -> None:
+        self._drop()
+        self.message = "Taken back." if self.session.undo() else "There is nothing to take back."
+
+    def _rack(self) -> None:
+        self._drop()
+        self.session.rack(random.randrange(1 << 30))
+        self.message = "A new rack."
+
+    def _drop(self) -> None:
+        """Let go of whatever is under way."""
         self.rollout = None
         self.pull = None
         self.hover = None
-        self._say("Taken back." if self.session.undo() else "There is nothing to take back.")
 
     def _nudge(self, dx: float, dy: float, step: float) -> None:
         x, y = self.hover or self._spot()
@@ -228,17 +247,20 @@ class Play:
     def _place(self) -> None:
         if self.session.place(*(self.hover or self._spot())):
             self.hover = None
-            self.hold = None
-            self._say("")
+            self.hold = self.pointer
+            self.message = ""
         else:
-            self._say("There is no room for the ball here.")
+            self.message = "There is no room for the ball here."
 
     def _spot(self) -> tuple[float, float]:
-        """Where a ball in hand is shown before a hand has moved it."""
+        """Where a ball in hand is held before a hand has moved it."""
         return self.session.table.furniture.spots["head"]
 
-    def _say(self, message: str) -> None:
-        self.message = message
+    def change_table(self, table: Table) -> None:
+        """Play on with other parameters; raises InputError where the balls do not fit."""
+        self.session.change_table(table)
+        self.rollout = None
+        self.message = "The table's file has changed, and so has the table."
 
     # Time.
 
@@ -251,100 +273,51 @@ class Play:
 
     def _come_to_rest(self, rollout: Rollout) -> None:
         self.rollout = None
-        before, after = rollout.start, self.session.layout
-        fallen = [ball.id for ball in before.on_table() if after[ball.id].phase == POCKETED]
-        cue = self.session.cue.id
+        after = rollout.layout()
+        fallen = [ball.id for ball in rollout.start.on_table() if after[ball.id].phase == POCKETED]
         if self.session.in_hand:
-            self.hover = None
-            self._say("Scratch: the cue ball is in hand. Click where it shall stand.")
+            self.message = "Scratch: the cue ball is in hand. Click where it shall stand."
         elif self.session.left == 0:
-            self._say("The table is cleared. N sets up a new rack.")
+            self.message = "The table is cleared. N sets up a new rack."
         elif fallen:
-            balls = ", ".join(sorted(fallen, key=lambda ball: (len(ball), ball)))
-            self._say(f"Down: {balls}.")
+            self.message = f"Down: {', '.join(sorted(fallen, key=lambda ball: (len(ball), ball)))}."
         elif not self.message.startswith("Miscue"):
-            self._say("")
-        if cue not in fallen:
-            self._point(self.pointer)
-
-    def change_table(self, table: Table) -> None:
-        """Play on with other parameters; raises InputError where the balls do not fit."""
-        self.session.change_table(table)
-        self.rollout = None
-        self._say("The table's file has changed, and so has the table.")
+            self.message = ""
+        if self.pointer is not None:
+            self.hold = None
+            self._move(self.pointer)
 
     # Drawing.
 
     def draw(self, surface: pygame.Surface) -> None:
-        self.screen = hud.Screen(*surface.get_size())
-        self.view = self._fit()
-        surface.blit(self._background(), (0, 0))
-        layout = self.rollout.at(self.time) if self.rollout else self.session.layout
-        still = self.rollout is None and not self.session.in_hand
+        session, stage = self.session, self.stage
+        stage.begin(surface, session.table)
         speed = pulled_speed(self.pulled) if self.pull is not None else self.aim.speed
-        if still and self.level != guide.OFF and speed > 0.0:
-            self._draw_guide(surface, speed)
-        self._draw_balls(surface, layout)
-        if still:
+        if self.rollout:
+            stage.balls(surface, self.rollout.at(self.time))
+        elif session.in_hand:
+            stage.balls(surface, session.layout)
+            x, y = self.hover or self._spot()
+            stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
+        else:
+            if speed > 0.0:
+                stage.guide(surface, self.level, session.layout, self.aim.shot(session.cue.id, speed))
+            stage.balls(surface, session.layout)
             part = max(0.0, min(1.0, self.pulled / FULL_PULL)) if self.pull is not None else 0.0
             back = _REST + (_FULL - _REST) * part
-            cue_art.draw(surface, self.session.table, self.session.cue, self.aim, back, self.view)
-        elif self.session.in_hand and not self.rollout:
-            self._draw_in_hand(surface)
-        note = f"Shot {self.session.position.shots + 1}   \N{MIDDLE DOT}   {self.session.left} balls left"
-        hud.draw_bars(surface, self.screen, self.session.table.title, note)
-        hud.draw_controls(surface, self.screen, self.aim, speed, self.session.table.knobs.cue.tip_friction)
+            cue_art.draw(surface, session.table, session.cue, self.aim, back, stage.view)
+        note = f"Shot {session.position.shots + 1}   \N{MIDDLE DOT}   {session.left} balls left"
+        hud.draw_bars(surface, stage.screen, session.table.title, note)
+        hud.draw_controls(surface, stage.screen, self.aim, speed, session.table.knobs.cue.tip_friction)
         color = theme.WARNING if self.warning else theme.TEXT
-        hud.draw_message(surface, self.screen, self.warning or self.message, color)
+        hud.draw_message(surface, stage.screen, self.warning or self._hop(speed) or self.message, color)
 
-    def _fit(self) -> View:
-        size = self.session.table.knobs.table
-        return fit(size.length, size.width, self.screen.table)
-
-    def _background(self) -> pygame.Surface:
-        key = (self.screen, self.session.table)
-        if key != self._table_key:
-            self._table_key = key
-            self._table_picture = table_art.draw(self.session.table, (self.screen.width, self.screen.height), self.view)
-        return self._table_picture
-
-    def _draw_balls(self, surface: pygame.Surface, layout: Layout) -> None:
-        for ball in layout.on_table():
-            self._draw_ball(surface, ball)
-
-    def _draw_ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
-        radius = self.session.table.body_of(ball)[0] * self.view.scale
-        ball_art.draw(surface, ball.id, self.view.to_screen(ball.x, ball.y), radius, faint)
-
-    def _draw_in_hand(self, surface: pygame.Surface) -> None:
-        x, y = self.hover or self._spot()
-        ball = self.session.cue._replace(x=x, y=y)
-        self._draw_ball(surface, ball, faint=True)
-        free = self.session.may_place(x, y)
-        radius = self.session.table.body_of(ball)[0] * self.view.scale
-        pen.ring(surface, theme.ACCENT if free else theme.WARNING, self.view.to_screen(x, y), radius + 2.0, 2.0)
-
-    def _draw_guide(self, surface: pygame.Surface, speed: float) -> None:
-        rollout = self._foreseen(speed)
-        if rollout is None:
-            return
-        if self.level == guide.WHOLE:
-            guide.draw_whole(surface, rollout, self.session.table, self.view)
-        guide.draw(surface, guide.foresee(rollout, self.session.cue.id), self.level, self.session.table, self.view)
-
-    def _foreseen(self, speed: float) -> Rollout | None:
-        """The present aim's rollout, worked out again only when something has changed."""
-        events = None if self.level == guide.WHOLE else guide.EVENTS
-        key = (self.session.layout, self.session.table, self.aim, speed, events)
-        if key != self._guide_key:
-            self._guide_key = key
-            try:
-                shot = self.aim.shot(self.session.cue.id, speed)
-                self._guide = simulate(self.session.table, self.session.layout, shot, events=events)
-            except (InputError, BudgetError):
-                self._guide = None
-        return self._guide
-
-
-_ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
-_SPIN = {"spin_up": (0.0, 1.0), "spin_down": (0.0, -1.0), "spin_left": (-1.0, 0.0), "spin_right": (1.0, 0.0)}
+    def _hop(self, speed: float) -> str:
+        """What to say of a stroke so steep and hard that a real ball would leave the cloth."""
+        if self.aim.elevation == 0.0 or self.rollout or self.session.in_hand or speed <= 0.0:
+            return ""
+        knobs = self.session.table.knobs
+        apex = hop(self.aim.shot("", speed), self.session.table.body_of(self.session.cue)[1], knobs)[1]
+        if apex < _HOP:
+            return ""
+        return f"So steep and hard, a real ball would hop {1000.0 * apex:.0f} mm. Here it stays on the cloth."

@@ -1,0 +1,80 @@
+"""The table with what lies on it, on a window of some size; remembers what costs time to draw."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+import pygame
+
+from ..errors import BudgetError, InputError
+from ..physics.rollout import Rollout
+from ..physics.simulate import simulate
+from ..physics.values import Ball, Layout, Shot
+from ..table import Table
+from . import ball_art, guide, hud, pen, table_art, theme
+from .view import View, fit
+
+
+class Stage:
+    """The surface being drawn on, the table, and where the one is on the other."""
+
+    def __init__(self, table: Table) -> None:
+        self.table = table
+        self.screen = hud.Screen(1280, 720)
+        self.view = self._fit()
+        self._background_key: Hashable = None
+        self._background = pygame.Surface((1, 1))
+        self._foreseen_key: Hashable = None
+        self._foreseen: Rollout | None = None
+
+    def begin(self, surface: pygame.Surface, table: Table) -> None:
+        """Take the window's present size, and draw the table."""
+        self.table = table
+        self.screen = hud.Screen(*surface.get_size())
+        self.view = self._fit()
+        key = (self.screen, table)
+        if key != self._background_key:
+            self._background_key = key
+            self._background = table_art.draw(table, surface.get_size(), self.view)
+        surface.blit(self._background, (0, 0))
+
+    def balls(self, surface: pygame.Surface, layout: Layout) -> None:
+        """Draw every ball that is on the table."""
+        for ball in layout.on_table():
+            self.ball(surface, ball)
+
+    def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
+        ball_art.draw(surface, ball.id, self.view.to_screen(ball.x, ball.y), self._radius(ball), faint)
+
+    def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
+        """Draw a ball held over the table, ringed by whether it has room there."""
+        self.ball(surface, ball, faint=True)
+        color = theme.ACCENT if free else theme.WARNING
+        pen.ring(surface, color, self.view.to_screen(ball.x, ball.y), self._radius(ball) + 2.0, 2.0)
+
+    def guide(self, surface: pygame.Surface, level: int, layout: Layout, shot: Shot) -> None:
+        """Draw what a shot would do."""
+        rollout = self.foresee(level, layout, shot)
+        if rollout is not None and level != guide.OFF:
+            if level == guide.WHOLE:
+                guide.draw_whole(surface, rollout, self.table, self.view)
+            guide.draw(surface, guide.foresee(rollout, shot.ball), level, self.table, self.view)
+
+    def foresee(self, level: int, layout: Layout, shot: Shot) -> Rollout | None:
+        """The shot's rollout as far as the guide needs it; worked out anew only for another shot."""
+        events = None if level == guide.WHOLE else guide.EVENTS
+        key = (id(layout), id(self.table), shot, events)
+        if key != self._foreseen_key:
+            self._foreseen_key = key
+            try:
+                self._foreseen = simulate(self.table, layout, shot, events=events)
+            except (InputError, BudgetError):
+                self._foreseen = None
+        return self._foreseen
+
+    def _fit(self) -> View:
+        size = self.table.knobs.table
+        return fit(size.length, size.width, self.screen.table)
+
+    def _radius(self, ball: Ball) -> float:
+        return self.table.body_of(ball)[0] * self.view.scale
