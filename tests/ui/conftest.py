@@ -1,0 +1,83 @@
+"""A person at the table: an App without a screen, and hands that post events."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+from typing import Any
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+os.environ["SDL_AUDIODRIVER"] = "dummy"
+
+import pygame
+import pytest
+
+from pool2d import Ball, Layout, load_table
+from pool2d.game.session import Position
+from pool2d.ui.app import App
+from pool2d.ui.play import Play
+
+FRAME = 1.0 / 60.0
+
+
+class Hand:
+    """Moves the mouse and presses keys of an app, a frame after each."""
+
+    def __init__(self, app: App) -> None:
+        self.app = app
+        self.play: Play = app.play
+        self.open = app.step(0.0)
+        self.at = (0, 0)
+
+    def post(self, kind: int, **fields: Any) -> None:
+        pygame.event.post(pygame.event.Event(kind, **fields))
+        self.open = self.app.step(FRAME)
+
+    def move(self, pos: tuple[float, float]) -> None:
+        to = (round(pos[0]), round(pos[1]))
+        rel = (to[0] - self.at[0], to[1] - self.at[1])
+        self.at = to
+        self.post(pygame.MOUSEMOTION, pos=to, rel=rel, buttons=(0, 0, 0))
+
+    def press(self, button: int = 1) -> None:
+        self.post(pygame.MOUSEBUTTONDOWN, pos=self.at, button=button)
+
+    def release(self, button: int = 1) -> None:
+        self.post(pygame.MOUSEBUTTONUP, pos=self.at, button=button)
+
+    def wheel(self, y: int) -> None:
+        self.post(pygame.MOUSEWHEEL, x=0, y=y, flipped=False)
+
+    def key(self, key: int, mod: int = 0) -> None:
+        self.post(pygame.KEYDOWN, key=key, mod=mod, unicode="")
+        self.post(pygame.KEYUP, key=key, mod=mod)
+
+    def point(self, x: float, y: float) -> None:
+        """Move to a place on the table, in m."""
+        self.move(self.play.stage.view.to_screen(x, y))
+
+    def pull(self, pixels: float) -> None:
+        """From a pressed button, go back along the cue."""
+        angle = math.radians(self.play.aim.angle)
+        self.move((self.at[0] - pixels * math.cos(angle), self.at[1] + pixels * math.sin(angle)))
+
+    def wait_for_rest(self) -> None:
+        for _ in range(3000):
+            if not self.play.rollout:
+                return
+            self.app.step(FRAME)
+        raise AssertionError("the balls are still running")
+
+    def set_balls(self, *balls: Ball, in_hand: bool = False) -> None:
+        """Put these balls on the table instead of the rack."""
+        layout = self.play.session.table.settle(Layout(balls))
+        self.play.session.position = Position(layout, in_hand, 0)
+
+
+@pytest.fixture
+def hand() -> Iterator[Hand]:
+    app = App(load_table("pool-9ft"), seed=3)
+    pygame.event.clear()
+    yield Hand(app)
+    app.close()

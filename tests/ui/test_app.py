@@ -1,0 +1,174 @@
+"""The window: sizes, help, pictures, quitting, and a preset that changes while it is open."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pygame
+import pytest
+
+from pool2d import load_table
+from pool2d.preset import preset_path
+from pool2d.ui import text
+from pool2d.ui.app import App
+from pool2d.ui.help import Help
+from pool2d.ui.hud import Screen
+from pool2d.ui.keys import BINDINGS, HANDS, action_of
+
+from .conftest import Hand
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_the_command_runs_its_frames_and_ends() -> None:
+    environment = {**os.environ, "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
+    done = subprocess.run(
+        [sys.executable, "main.py", "--frames", "5"], cwd=ROOT, env=environment, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (800, 1000), (320, 200)])
+def test_the_table_is_to_scale_and_inside_the_window(hand: Hand, size: tuple[int, int]) -> None:
+    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.step(0.0)
+    view = hand.play.stage.view
+    left, bottom = view.to_screen(0.0, 0.0)
+    right, top = view.to_screen(2.54, 1.27)
+    assert (right - left) == pytest.approx(2.0 * (bottom - top))
+    screen = hand.play.stage.screen
+    assert 0 <= left < right <= size[0]
+    assert screen.top.bottom <= top < bottom <= screen.bottom.top
+
+
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (3840, 2160)])
+def test_every_control_is_inside_the_window_and_apart(size: tuple[int, int]) -> None:
+    screen = Screen(*size)
+    window = pygame.Rect(0, 0, *size)
+    boxes = [screen.ball_diagram, screen.cue_diagram, screen.power, screen.message]
+    assert all(window.contains(box) for box in boxes)
+    assert all(not a.colliderect(b) for i, a in enumerate(boxes) for b in boxes[:i])
+    assert screen.message.width >= 30 * screen.unit
+
+
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080)])
+def test_a_long_message_is_wrapped_into_its_room(hand: Hand, size: tuple[int, int]) -> None:
+    screen = Screen(*size)
+    message = "assets/tables/pool-9ft.toml: cloth.mu_slide = 'fast': allowed is a number from 0.01 to 1; this is long"
+    lines = text.wrap(message, screen.small, screen.message.width)
+    assert " ".join(lines) == message
+    assert all(text.font(screen.small).size(line)[0] <= screen.message.width for line in lines)
+    assert len(lines) * text.font(screen.small).get_linesize() <= screen.message.height
+
+
+def test_a_word_wider_than_the_room_is_broken() -> None:
+    pygame.font.init()
+    lines = text.wrap("x" * 200, 14, 300)
+    assert "".join(lines) == "x" * 200
+    assert all(text.font(14).size(line)[0] <= 300 for line in lines)
+
+
+def test_full_screen_and_back(hand: Hand) -> None:
+    hand.key(pygame.K_F11)
+    assert hand.app.surface.get_flags() & pygame.FULLSCREEN
+    hand.key(pygame.K_F11)
+    assert not hand.app.surface.get_flags() & pygame.FULLSCREEN
+    assert hand.app.surface.get_size() == (1280, 720)
+
+
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080)])
+def test_help_lists_every_binding_and_closes(
+    hand: Hand, size: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn: dict[str, pygame.Rect] = {}
+    real = text.draw
+
+    def spy(surface: pygame.Surface, words: str, *rest: object) -> pygame.Rect:
+        drawn[words] = real(surface, words, *rest)  # type: ignore[arg-type]
+        return drawn[words]
+
+    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.key(pygame.K_F1)
+    assert isinstance(hand.app.scene, Help)
+    monkeypatch.setattr(text, "draw", spy)
+    hand.app.step(0.0)
+    for binding in BINDINGS:
+        assert not binding.shown or (binding.shown in drawn and binding.does in drawn)
+    for name, does in HANDS:
+        assert name in drawn and does in drawn
+    window = pygame.Rect(0, 0, *size)
+    assert all(window.contains(place) for place in drawn.values())
+    hand.key(pygame.K_ESCAPE)
+    assert not isinstance(hand.app.scene, Help)
+
+
+def test_every_action_that_a_key_is_bound_to_does_something(hand: Hand) -> None:
+    window = {"fullscreen", "screenshot", "help", "quit"}
+    turns = {"turn_left", "turn_right", "spin_up", "spin_down", "spin_left", "spin_right"}
+    assert {binding.action for binding in BINDINGS} == window | turns | set(hand.play._keys)
+
+
+def test_no_two_actions_share_a_key() -> None:
+    for ctrl in (0, pygame.KMOD_CTRL):
+        keys = [key for b in BINDINGS if b.ctrl in (None, bool(ctrl)) for key in b.keys]
+        assert len(keys) == len(set(keys))
+    assert action_of(pygame.K_q, pygame.KMOD_CTRL) == "quit"
+    assert action_of(pygame.K_q, 0) == "lower"
+
+
+def test_quitting(hand: Hand) -> None:
+    hand.key(pygame.K_q, pygame.KMOD_CTRL)
+    assert not hand.open
+
+
+def test_a_screenshot_is_a_picture_of_the_window(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    hand.key(pygame.K_F12)
+    (saved,) = tmp_path.glob("pool2d-*.png")
+    assert pygame.image.load(saved).get_size() == (1280, 720)
+    assert saved.name in hand.play.message
+
+
+def test_a_screenshot_that_cannot_be_saved_is_told(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> None:
+        raise OSError("disk full")
+
+    monkeypatch.setattr(pygame.image, "save", fail)
+    hand.key(pygame.K_F12)
+    assert "disk full" in hand.play.message
+
+
+def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(tmp_path: Path) -> None:
+    preset = tmp_path / "mine.toml"
+    good = preset_path("pool-9ft").read_text()
+    preset.write_text(good)
+    app = App(load_table(str(preset)), seed=1)
+    try:
+        app.step(0.0)
+        preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
+        app.step(1.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.02
+        preset.write_text(good + "\n[cloth]\nmu_rol = 0.03\n")
+        app.step(1.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.02
+        assert "mu_rol" in app.play.warning and "mu_roll?" in app.play.warning
+        preset.unlink()
+        app.step(1.0)
+        assert "cannot be read" in app.play.warning
+        preset.write_text(good)
+        app.step(1.0)
+        assert app.play.warning == ""
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.01
+    finally:
+        app.close()
+
+
+def test_a_missing_font_is_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    pygame.font.init()
+    text.font.cache_clear()
+    monkeypatch.setattr(text, "asset", lambda *_: tmp_path / "none.ttf")
+    assert text.font(17).size("pool")[0] > 0
+    text.font.cache_clear()
