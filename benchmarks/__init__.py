@@ -1,0 +1,1 @@
+"""How fast pool2d is: `python -m benchmarks.speed`."""

@@ -1,0 +1,1 @@
+"""The tests of pool2d."""
