@@ -152,8 +152,12 @@ def _check(kind: str, turn: float, knobs: CornerKnobs | SideKnobs, source: str) 
     depth = knobs.shelf + knobs.drop_radius
     if not abs(lean) < math.pi / 3.0:
         raise InputError(source, f"{kind}.angle", knobs.angle, "the facings do not lead into the pocket")
-    if knobs.mouth / 2.0 <= depth * math.tan(lean):
+    throat = knobs.mouth / 2.0 - depth * math.tan(lean)
+    if throat <= 0.0:
         raise InputError(source, f"{kind}.angle", knobs.angle, "the facings meet before the pocket's drop")
+    if knobs.drop_radius < throat:
+        allowed = f"a ball could pass beside the hole; allowed is {throat:.4f} m or more, as wide as the throat"
+        raise InputError(source, f"{kind}.drop_radius", knobs.drop_radius, allowed)
     if knobs.jaw_radius / math.tan(math.radians(knobs.angle) / 2.0) >= depth / math.cos(lean):
         raise InputError(source, f"{kind}.jaw_radius", knobs.jaw_radius, "the jaws are rounder than the pocket is deep")
 

@@ -160,11 +160,9 @@ class Table:
         for ball in layout.on_table():
             if math.hypot(ball.x - x, ball.y - y) <= self.body_of(ball)[0]:
                 return ball.id
-        hits = [
-            (element.gap(x, y, 0.0), element.name) for element in map(self.elements.__getitem__, self.near(x, y, x, y))
-        ]
-        gap, name = min(hits, default=(math.inf, ""))
-        return name if gap <= 0.0 else None
+        near = [self.elements[i] for i in self.near(x - _DEPTH, y - _DEPTH, x + _DEPTH, y + _DEPTH)]
+        hits = [(gap, element.name) for element in near if (gap := element.gap(x, y, 0.0)) <= 0.0]
+        return max(hits)[1] if hits else None
 
     def cast(
         self, x: float, y: float, dx: float, dy: float, layout: Layout, radius: float | None = None, ignore: str = ""
@@ -178,10 +176,11 @@ class Table:
         ball = Ball("", x, y, dx / size, dy / size, radius=radius)
         body = Body(ball, 0, *self.body_of(ball))
         way = Motion(body, ROLLING, 0.0, end)
+        reach = self.reach(body.radius)
         far_x, far_y = x + body.vx * end, y + body.vy * end
-        near = [self.elements[i] for i in self.near(min(x, far_x), min(y, far_y), max(x, far_x), max(y, far_y))]
+        near = self.near(min(x, far_x) - reach, min(y, far_y) - reach, max(x, far_x) + reach, max(y, far_y) + reach)
         hits: list[tuple[float, str | None]] = [
-            (element.time(way, self.reach(body.radius), end), element.name) for element in near
+            (self.elements[i].time(way, reach, end), self.elements[i].name) for i in near
         ]
         for other in layout.on_table():
             if other.id != ignore:
@@ -191,6 +190,8 @@ class Table:
 
 
 _ALL = pymunk.ShapeFilter()
+# How far behind its nose a cushion goes, m, as far as pointing at it is concerned.
+_DEPTH = 0.05
 
 
 def _inside(x: float, y: float, polygon: Sequence[tuple[float, float]]) -> bool:
