@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 # Balls drawn this much into each other or into a cushion, m, are set apart: numbers get rounded on
 # their way through files. More is an error.
 SLACK = 1e-6
+# An overlap that counts as contact, m: less than the depth at which the engine looks for one.
+CLOSE = 1e-10
+ROUNDS = 2000
 
 RANGES: dict[str, Knob] = {
     "x": Knob(0.0, -100.0, 100.0, "m", "place along the table"),
@@ -34,19 +37,19 @@ def settle(table: Table, layout: Layout) -> Layout:
     """The layout with its balls exactly where they may stand.
 
     Raises InputError for a number out of range, a ball off the table, in a pocket or a cushion, and
-    for balls that overlap by more than SLACK.
+    for balls that overlap by more than rounding, or that cannot be set apart.
     """
-    balls = sorted(layout.on_table())
-    for ball in balls:
+    given = sorted(layout.on_table())
+    for i, ball in enumerate(given):
         _check(table, ball)
-    moved: dict[str, Ball] = {}
-    # Setting one pair apart may press another; a rack settles in a few rounds.
-    for _ in range(50):
-        apart = _set_apart(table, [moved.get(ball.id, ball) for ball in balls])
-        if not apart:
-            break
-        moved.update(apart)
-    return layout.put(*moved.values()) if moved else layout
+        _check_pairs(table, ball, given[:i])
+    balls = list(given)
+    # Setting one pair apart presses the next; a rack settles in some tens of rounds.
+    for _ in range(ROUNDS):
+        if not _set_apart(table, balls):
+            moved = [ball for ball, old in zip(balls, given, strict=True) if ball is not old]
+            return layout.put(*moved) if moved else layout
+    raise InputError(table.source, "balls", [ball.id for ball in given], "the balls overlap and have no room to part")
 
 
 def _check(table: Table, ball: Ball) -> None:
@@ -75,28 +78,32 @@ def _check(table: Table, ball: Ball) -> None:
         raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
 
 
-def _set_apart(table: Table, balls: list[Ball]) -> dict[str, Ball]:
-    """Those balls that were drawn a hair into something, moved out of it."""
-    moved: dict[str, Ball] = {}
+def _check_pairs(table: Table, ball: Ball, others: list[Ball]) -> None:
+    for other in others:
+        overlap = table.touch(ball, other) - math.hypot(ball.x - other.x, ball.y - other.y)
+        if overlap > 2.0 * SLACK:
+            raise InputError(
+                table.source, f"balls.{ball.id}, balls.{other.id}", (ball.x, ball.y),
+                f"the balls overlap by {overlap:.3g} m; allowed is none",
+            )  # fmt: skip
+
+
+def _set_apart(table: Table, balls: list[Ball]) -> bool:
+    """Move balls out of what they were drawn a hair into, once round; whether any had to move."""
+    found = False
     for i, ball in enumerate(balls):
-        radius = table.body_of(ball)[0]
-        gap, element = table.element_gap(ball.x, ball.y, radius)
-        if -SLACK <= gap < 0.0 and element is not None and not isinstance(element, Pocket):
+        gap, element = table.element_gap(ball.x, ball.y, table.body_of(ball)[0])
+        if gap < -CLOSE and element is not None and not isinstance(element, Pocket):
             nx, ny = element.normal(ball.x, ball.y)
-            ball = ball._replace(x=ball.x + gap * nx, y=ball.y + gap * ny)
-            moved[ball.id] = ball
-        for other in balls[:i]:
+            balls[i] = ball = ball._replace(x=ball.x + gap * nx, y=ball.y + gap * ny)
+            found = True
+        for j, other in enumerate(balls[:i]):
             touch = table.touch(ball, other)
             dx, dy = ball.x - other.x, ball.y - other.y
-            if abs(dx) >= touch or abs(dy) >= touch or (overlap := touch - math.hypot(dx, dy)) <= 1e-16:
+            if abs(dx) >= touch or abs(dy) >= touch or (overlap := touch - math.hypot(dx, dy)) <= CLOSE:
                 continue
-            if overlap > 2.0 * SLACK:
-                raise InputError(
-                    table.source, f"balls.{ball.id}, balls.{other.id}", (ball.x, ball.y),
-                    f"the balls overlap by {overlap:.3g} m; allowed is none",
-                )  # fmt: skip
-            share = 0.5000001 * overlap / (touch - overlap)
-            moved[ball.id] = ball._replace(x=ball.x + share * dx, y=ball.y + share * dy)
-            moved[other.id] = other._replace(x=other.x - share * dx, y=other.y - share * dy)
-            return moved
-    return moved
+            share = 0.5 * overlap / (touch - overlap)
+            balls[i] = ball = ball._replace(x=ball.x + share * dx, y=ball.y + share * dy)
+            balls[j] = other._replace(x=other.x - share * dx, y=other.y - share * dy)
+            found = True
+    return found
