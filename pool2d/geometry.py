@@ -150,13 +150,15 @@ def _check(kind: str, turn: float, knobs: CornerKnobs | SideKnobs, source: str) 
     """Raises InputError where a pocket's numbers do not make a pocket."""
     lean = math.radians(knobs.angle) + turn / 2.0 - math.pi
     depth = knobs.shelf + knobs.drop_radius
-    if not abs(lean) < math.pi / 3.0:
+    if not -math.pi / 4.0 < lean < math.pi / 3.0:
         raise InputError(source, f"{kind}.angle", knobs.angle, "the facings do not lead into the pocket")
-    throat = knobs.mouth / 2.0 - depth * math.tan(lean)
-    if throat <= 0.0:
+    slope = math.tan(lean)
+    if knobs.mouth / 2.0 <= depth * slope:
         raise InputError(source, f"{kind}.angle", knobs.angle, "the facings meet before the pocket's drop")
-    if knobs.drop_radius < throat:
-        allowed = f"a ball could pass beside the hole; allowed is {throat:.4f} m or more, as wide as the throat"
+    # At its centre the hole is as wide as what the facings leave there.
+    least = (knobs.mouth / 2.0 - knobs.shelf * slope) / (1.0 + slope)
+    if knobs.drop_radius < least:
+        allowed = f"a ball could pass beside the hole; allowed is {least:.4f} m or more"
         raise InputError(source, f"{kind}.drop_radius", knobs.drop_radius, allowed)
     if knobs.jaw_radius / math.tan(math.radians(knobs.angle) / 2.0) >= depth / math.cos(lean):
         raise InputError(source, f"{kind}.jaw_radius", knobs.jaw_radius, "the jaws are rounder than the pocket is deep")

@@ -156,6 +156,16 @@ def test_nothing_gets_past_a_hole(
         assert all(table.on_cloth(state.x, state.y) for state in event.after.values()), event
 
 
+def test_least_hole_is_told() -> None:
+    for angle in (110.0, 142.0):
+        with pytest.raises(InputError, match=r"allowed is 0\.\d+ m or more") as caught:
+            TABLE.with_knobs({"corner.angle": angle, "corner.drop_radius": 0.03})
+        least = float(caught.value.allowed.split()[-4])
+        with pytest.raises(InputError):
+            TABLE.with_knobs({"corner.angle": angle, "corner.drop_radius": least - 1e-4})
+        TABLE.with_knobs({"corner.angle": angle, "corner.drop_radius": least + 1e-4})
+
+
 def test_changed_copy_leaves_the_table_as_it_was() -> None:
     copy = TABLE.with_knobs({"cloth.mu_roll": 0.02}).with_knobs({"table.length": 2.0})
     assert (TABLE.knobs.cloth.mu_roll, TABLE.knobs.table.length) == (0.01, 2.54)
