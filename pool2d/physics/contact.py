@@ -1,169 +1,69 @@
-"""What happens in a contact: the cue's strike, and the impulse laws.
-
-A law takes two bodies that touch and the unit normal from the first to the second, and changes their
-velocities and spins. A cushion is a body of infinite mass. Laws are chosen by name in the preset.
-"""
+"""Solving a contact: which law, and whether a ball that is struck passes it on at once."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import TYPE_CHECKING
 
-from .values import Shot
+from .balls import BALL_LAWS
+from .cluster import depth, gather, solve
+from .cushions import CUSHION_LAWS
+from .motion import Body, start
+from .params import Physics
 
-if TYPE_CHECKING:
-    from .motion import Body
-    from .params import Cue, Physics
-
-BallLaw = Callable[["Body", "Body", "Physics"], None]
-CushionLaw = Callable[["Body", float, float, "Physics"], None]
-
-# Two bodies that meet more slowly than this part as fast as they met, m/s. Viscoelastic contacts do
-# become elastic as they slow (Brilliantov & Poeschel 2004), and it ends the bouncing of a ball that
-# its own spin presses on a cushion: it would otherwise take endlessly many bounces in a finite time.
-GENTLE = 5e-3
+# Bodies that meet more slowly than this, m/s, are being pressed together by the cloth's friction.
+# They then feel the friction of the next moment, s, at once, so that they part with a speed and the
+# pressing becomes a few small bounces; it is the same impulse, that much earlier.
+PRESSED, MOMENT = 1e-4, 2e-3
 
 
-def rebound(approach: float, restitution: float) -> float:
-    """The speed at which two bodies part that met at `approach`, both positive, m/s."""
-    return max(restitution * approach, min(approach, GENTLE))
+class Contacts:
+    """How things that meet on one table part again."""
+
+    def __init__(self, physics: Physics) -> None:
+        self.physics = physics
+        self.ball_law = BALL_LAWS[physics.ball.law]
+        self.cushion_law = CUSHION_LAWS[physics.cushion.law]
+
+    def cushion(self, ball: Body, nx: float, ny: float) -> None:
+        """A ball meets a cushion that lies along (nx, ny) from it.
+
+        A cushion gives way for some ms, ten times as long as two balls touch. So a ball that lies on
+        a cushion first takes a blow from another ball as if it were free, and then meets the cushion.
+        """
+        if ball.vx * nx + ball.vy * ny < PRESSED:
+            self._hasten(ball)
+        self.cushion_law(ball, nx, ny, self.physics)
+
+    def balls(self, a: Body, b: Body, present: list[Body]) -> list[tuple[Body, Body]]:
+        """Two balls meet among those `present`; the pairs that took part, this one first.
+
+        Where others are so near that they are reached while the impact lasts, it is a cluster.
+        """
+        if _approach(a, b) < PRESSED:
+            self._hasten(a)
+            self._hasten(b)
+        speed = _approach(a, b)
+        if speed > 0.0:
+            pairs = gather(a, b, present, depth(a, b, speed))
+            if len(pairs) > 1:
+                before = [(ball, ball.velocity()) for ball in present]
+                met = [(contact.a, contact.b) for contact in solve(pairs, speed, self.physics)]
+                if len(met) > 1:
+                    return [(a, b), *(pair for pair in met if pair != (a, b))]
+                for ball, velocity in before:
+                    ball.set_velocity(velocity)
+        self.ball_law(a, b, self.physics)
+        return [(a, b)]
+
+    def _hasten(self, ball: Body) -> None:
+        """Give a ball the cloth's friction of the next moment at once."""
+        x, y = ball.x, ball.y
+        motion = start(ball, 0.0, self.physics.cloth, self.physics.gravity)
+        motion.move(ball, min(MOMENT, motion.t1))
+        ball.x, ball.y = x, y
 
 
-def impulse_balls(a: Body, b: Body, physics: Physics) -> None:
-    """P = j (n - f v_s / |v_s|): restitution along the normal, Coulomb friction at the surface.
-
-    j follows from restitution; the friction is no more than what stops the slip. Balls of unequal
-    radius touch with a tilted normal; the vertical part of the impulse is taken by the slate and only
-    its moment kept. ("physic-based billiard simulation", 2002; Alciatore TP A.14, eq. 15-17.)
-    """
+def _approach(a: Body, b: Body) -> float:
+    """How fast two balls near each other in plan, m/s."""
     dx, dy = b.x - a.x, b.y - a.y
-    plan = math.hypot(dx, dy)
-    total = a.radius + b.radius
-    # Level between equal balls; between others the line of centres climbs toward the larger.
-    flat = 2.0 * math.sqrt(a.radius * b.radius) / total
-    nx, ny, nz = flat * dx / plan, flat * dy / plan, (b.radius - a.radius) / total
-    approach = (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
-    if approach <= 0.0:
-        return
-    ease = 1.0 / a.mass + 1.0 / b.mass
-    push = (approach + rebound(approach, physics.ball.restitution)) / (flat * flat * ease)
-    for ball, sign in ((a, -1.0), (b, 1.0)):
-        ball.vx += sign * push * nx / ball.mass
-        ball.vy += sign * push * ny / ball.mass
-    # The slip is taken after the push, which changes it where the normal is tilted: else friction might drive it.
-    px, py, pz = a.radius * a.wx + b.radius * b.wx, a.radius * a.wy + b.radius * b.wy, a.radius * a.wz + b.radius * b.wz
-    sx, sy, sz = a.vx - b.vx + py * nz - pz * ny, a.vy - b.vy + pz * nx - px * nz, px * ny - py * nx
-    along = sx * nx + sy * ny + sz * nz
-    sx, sy, sz = sx - along * nx, sy - along * ny, sz - along * nz
-    slip = math.sqrt(sx * sx + sy * sy + sz * sz)
-    rub = 0.0 if slip == 0.0 else min(physics.ball.friction * push, slip / (3.5 * ease)) / slip
-    # The friction on a; b feels its opposite, and both turn the same way, for both arms point at the contact.
-    fx, fy, fz = -rub * sx, -rub * sy, -rub * sz
-    mx, my, mz = ny * fz - nz * fy, nz * fx - nx * fz, nx * fy - ny * fx
-    for ball, sign in ((a, 1.0), (b, -1.0)):
-        ball.vx += sign * fx / ball.mass
-        ball.vy += sign * fy / ball.mass
-        turn = 2.5 / (ball.mass * ball.radius)
-        ball.wx += turn * mx
-        ball.wy += turn * my
-        ball.wz += turn * mz
-
-
-def impulse_cushion(ball: Body, nx: float, ny: float, physics: Physics) -> None:
-    """The equations of `impulse_balls` against an infinite mass; (nx, ny) points into the cushion."""
-    approach = ball.vx * nx + ball.vy * ny
-    if approach <= 0.0:
-        return
-    push = ball.mass * (approach + rebound(approach, physics.cushion.restitution))
-    radius = ball.radius
-    along = ball.vy * nx - ball.vx * ny + radius * ball.wz
-    up = radius * (ball.wx * ny - ball.wy * nx)
-    slip = math.hypot(along, up)
-    rub = 0.0 if slip == 0.0 else min(physics.cushion.friction * push, 2.0 / 7.0 * ball.mass * slip) / slip
-    side, lift = -rub * along, -rub * up
-    ball.vx -= (push * nx + side * ny) / ball.mass
-    ball.vy -= (push * ny - side * nx) / ball.mass
-    turn = 2.5 / (ball.mass * radius)
-    ball.wx += turn * lift * ny
-    ball.wy -= turn * lift * nx
-    ball.wz += turn * side
-
-
-BALL_LAWS: dict[str, BallLaw] = {"impulse": impulse_balls}
-CUSHION_LAWS: dict[str, CushionLaw] = {"impulse": impulse_cushion}
-
-
-def miscue_limit(tip_friction: float) -> float:
-    """How far from the centre the tip may hit, in radii, before it slips (friction cone, TP 2.1)."""
-    return tip_friction / math.hypot(1.0, tip_friction)
-
-
-def squirt(side: float, ball_mass: float, end_mass: float) -> float:
-    """The angle by which a ball leaves turned away from the english, radians (Alciatore TP A.31).
-
-    Positive to the left, for a tip to the right.
-    """
-    if end_mass == 0.0:
-        return 0.0
-    depth = 1.0 - side * side
-    return math.atan(2.5 * side * math.sqrt(depth) / (1.0 + ball_mass / end_mass + 2.5 * depth))
-
-
-def hop(shot: Shot, mass: float, physics: Physics) -> tuple[float, float, float, float]:
-    """How a ball struck downward would leave the slate: speed up, height, time in the air, way made in it.
-
-    The engine keeps balls on the cloth; this tells a player where that is not so. The ball is driven
-    into the slate at v sin(th) and comes back at e times that; friction with the cloth is left out.
-    """
-    tilt = math.radians(shot.elevation)
-    cue = physics.cue
-    offsets = 2.5 * (shot.side**2 + shot.height**2)
-    inertia = 1.0 / cue.mass + (math.cos(tilt) ** 2 + offsets) / mass
-    speed = (1.0 + cue.tip_restitution) * shot.speed / (inertia * mass)
-    return flight(speed, shot.elevation, physics.cloth.bounce, physics.gravity)
-
-
-def flight(speed: float, elevation: float, bounce: float, gravity: float) -> tuple[float, float, float, float]:
-    """Speed up, height, time and way of a ball sent into the slate at `speed` m/s and `elevation` degrees."""
-    tilt = math.radians(elevation)
-    up = bounce * speed * math.sin(tilt)
-    time = 2.0 * up / gravity
-    return up, up * up / (2.0 * gravity), time, speed * math.cos(tilt) * time
-
-
-def strike(ball: Body, shot: Shot, cue: Cue) -> bool:
-    """Set `ball` moving as the cue sends it; True for a clean hit, False for a miscue.
-
-    The cue pushes along its own line, or, past the friction limit, along the nearest line that the
-    friction cone allows. With that line e, the tip meets an inertia of |e_xy|^2/m + 5 |r x e|^2 / (2 m)
-    (r in radii; the slate takes the vertical part) and the cue one of (d.e)^2/M, so the impulse is
-    J = (1 + e_tip) V (d.e) / their sum. For a clean hit this is Alciatore TP A.30 with elevation.
-    """
-    a, b = shot.side, shot.height
-    tilt = math.radians(shot.elevation)
-    cos, sin = math.cos(tilt), math.sin(tilt)
-    offset = min(math.hypot(a, b), 1.0)
-    depth = math.sqrt(1.0 - offset * offset)
-    clean = offset <= miscue_limit(cue.tip_friction)
-    # In the cue's frame (along it, to its right, up across it) the ball's centre sees the tip at
-    # (-depth, a, b), and the push is (cos, sin) of the miss angle along and away from the centre line.
-    miss = 0.0 if clean else math.acos(depth) - math.atan(cue.tip_friction)
-    along, away = math.cos(miss), -math.sin(miss)
-    right, up = (away * a / offset, away * b / offset) if offset > 0.0 else (0.0, 0.0)
-    # The moment r x e, about the axes (along, right, up), which are left-handed.
-    m_along = b * right - a * up
-    m_right = -b * along - depth * up
-    m_up = depth * right + a * along
-    ahead = along * cos + up * sin
-    inertia = (ahead * ahead + right * right + 2.5 * (m_along**2 + m_right**2 + m_up**2)) / ball.mass
-    impulse = (1.0 + cue.tip_restitution) * shot.speed * along / (inertia + along * along / cue.mass)
-    # To the table's frame turned to the aim: x ahead, y left, z up.
-    speed, turn = impulse / ball.mass, 2.5 * impulse / (ball.mass * ball.radius)
-    vx, vy = speed * ahead, -speed * right
-    wx, wy, wz = turn * (m_along * cos + m_up * sin), -turn * m_right, turn * (m_up * cos - m_along * sin)
-    aim = math.radians(shot.angle) + squirt(a, ball.mass, cue.end_mass)
-    ca, sa = math.cos(aim), math.sin(aim)
-    ball.vx, ball.vy = vx * ca - vy * sa, vx * sa + vy * ca
-    ball.wx, ball.wy, ball.wz = wx * ca - wy * sa, wx * sa + wy * ca, wz
-    return clean
+    return ((a.vx - b.vx) * dx + (a.vy - b.vy) * dy) / math.hypot(dx, dy)

@@ -35,6 +35,13 @@ class Body:
         self.wy = ball.wy
         self.wz = ball.wz
 
+    def velocity(self) -> tuple[float, float, float, float, float]:
+        """Velocity and spin: (vx, vy, wx, wy, wz)."""
+        return self.vx, self.vy, self.wx, self.wy, self.wz
+
+    def set_velocity(self, velocity: tuple[float, float, float, float, float]) -> None:
+        self.vx, self.vy, self.wx, self.wy, self.wz = velocity
+
     def energy(self) -> float:
         """Kinetic energy of travel and spin, J."""
         spin = self.wx * self.wx + self.wy * self.wy + self.wz * self.wz

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from ..knobs import choice, knob
-from .contact import BALL_LAWS, CUSHION_LAWS
+from .balls import BALL_LAWS
+from .cushions import CUSHION_LAWS
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,15 +23,16 @@ class BallKnobs:
     mass: float = knob(0.17, 0.01, 2.0, "kg", "mass of a ball")
     restitution: float = knob(0.95, 0.0, 1.0, "", "speed kept along the line of centres, ball on ball")
     friction: float = knob(0.06, 0.0, 1.0, "", "friction between two balls")
-    law: str = choice("impulse", tuple(BALL_LAWS), "how two balls exchange impulse")
+    cling: float = knob(1.0, 0.0, 5.0, "", "multiplies the friction between balls: dirt and chalk, up to 3")
+    law: str = choice("alciatore", tuple(BALL_LAWS), "how two balls exchange impulse")
 
 
 @dataclass(frozen=True, slots=True)
 class CushionKnobs:
-    restitution: float = knob(0.85, 0.0, 1.0, "", "speed kept across the cushion")
-    friction: float = knob(0.14, 0.0, 1.0, "", "friction between a ball and the cushion")
+    restitution: float = knob(0.92, 0.0, 1.0, "", "speed kept across the cushion")
+    friction: float = knob(0.17, 0.0, 1.0, "", "friction between a ball and the cushion")
     nose_height: float = knob(0.0362903, 0.01, 0.1, "m", "height of the cushion's nose above the cloth")
-    law: str = choice("impulse", tuple(CUSHION_LAWS), "how a cushion returns a ball")
+    law: str = choice("mathavan2010", tuple(CUSHION_LAWS), "how a cushion returns a ball")
 
 
 @dataclass(frozen=True, slots=True)

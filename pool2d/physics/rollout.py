@@ -17,15 +17,25 @@ class Event:
 
     `t` in s; `kind` as in `simulate --json`; `balls` the ids it concerns; `where` names the cushion,
     jaw or pocket ("miscue" for a tip that slipped); `before` and `after` give those balls' states.
+    `pairs` names the balls that touched each other, the pair that set it off first.
     """
 
-    __slots__ = ("t", "kind", "balls", "where", "_old", "_new")
+    __slots__ = ("t", "kind", "balls", "where", "pairs", "_old", "_new")
 
-    def __init__(self, t: float, kind: str, where: str | None, old: list[Motion], new: list[Motion]) -> None:
+    def __init__(
+        self,
+        t: float,
+        kind: str,
+        where: str | None,
+        old: list[Motion],
+        new: list[Motion],
+        pairs: tuple[tuple[str, str], ...] = (),
+    ) -> None:
         self.t = t
         self.kind = kind
         self.balls = tuple(motion.id for motion in new)
         self.where = where
+        self.pairs = pairs
         self._old = old
         self._new = new
 

@@ -8,19 +8,16 @@ from heapq import heappop, heappush
 from typing import Any, Protocol
 
 from ..errors import BudgetError, InputError
-from .contact import BALL_LAWS, CUSHION_LAWS, strike
+from .contact import Contacts
 from .detect import Element, time_ball_ball
 from .motion import Body, Motion, finish, pocketed, start
 from .params import Physics
 from .rollout import Event, Rollout
+from .strike import strike
 from .values import POCKETED, ROLLING, SLIDING, SPINNING, Ball, Layout, Shot
 
 # Far above what any shot takes (a break takes some hundreds).
 BUDGET = 50_000
-# Bodies that meet more slowly than this, m/s, are being pressed together by the cloth's friction.
-# They then feel the friction of the next moment, s, at once, so that they part with a speed and the
-# pressing becomes a few small bounces; it is the same impulse, that much earlier.
-PRESSED, MOMENT = 1e-4, 2e-3
 
 
 class Field(Protocol):
@@ -82,8 +79,7 @@ class _World:
         self.table = table
         self.physics = table.physics
         self.elements = table.elements
-        self.ball_law = BALL_LAWS[table.physics.ball.law]
-        self.cushion_law = CUSHION_LAWS[table.physics.cushion.law]
+        self.contacts = Contacts(table.physics)
         self.now = 0.0
         self.events: list[Event] = []
         self.queue: list[tuple[float, int, int, int, int]] = []
@@ -131,37 +127,38 @@ class _World:
             return
         self.motion[i].move(body, self.now)
         if other >= 0:
-            partner = self.bodies[other]
-            self.motion[other].move(partner, self.now)
-            self.press(body, partner.x - body.x, partner.y - body.y, partner)
-            self.ball_law(body, partner, self.physics)
-            self.record("ball_ball", None, [body, partner])
+            self.meet(i, other)
             return
         element = self.elements[-2 - other]
         if element.kind == "ball_pocket":
             self.record(element.kind, element.name, [body], [pocketed(body, self.now)])
             return
-        nx, ny = element.normal(body.x, body.y)
-        self.press(body, nx, ny)
-        self.cushion_law(body, nx, ny, self.physics)
+        self.contacts.cushion(body, *element.normal(body.x, body.y))
         self.record(element.kind, element.name, [body])
 
-    def press(self, body: Body, nx: float, ny: float, partner: Body | None = None) -> None:
-        """Where cloth friction alone holds two together, bring its next moment forward."""
-        vx, vy = (body.vx - partner.vx, body.vy - partner.vy) if partner else (body.vx, body.vy)
-        if vx * nx + vy * ny < PRESSED * math.hypot(nx, ny):
-            for one in (body, partner):
-                if one:
-                    x, y = one.x, one.y
-                    motion = start(one, 0.0, self.physics.cloth, self.physics.gravity)
-                    motion.move(one, min(MOMENT, motion.t1))
-                    one.x, one.y = x, y
+    def meet(self, i: int, j: int) -> None:
+        """Two balls meet, and perhaps others with them."""
+        present = [body for body in self.bodies if self.motion[body.index].phase != POCKETED]
+        for body in present:
+            if self.motion[body.index].t1 < math.inf:
+                self.motion[body.index].move(body, self.now)
+        pairs = self.contacts.balls(self.bodies[i], self.bodies[j], present)
+        bodies = sorted({body.index: body for pair in pairs for body in pair}.values(), key=lambda body: body.index)
+        kind = "ball_ball" if len(pairs) == 1 else "cluster"
+        self.record(kind, None, bodies, pairs=tuple((a.id, b.id) for a, b in pairs))
 
-    def record(self, kind: str, where: str | None, bodies: list[Body], new: list[Motion] | None = None) -> None:
+    def record(
+        self,
+        kind: str,
+        where: str | None,
+        bodies: list[Body],
+        new: list[Motion] | None = None,
+        pairs: tuple[tuple[str, str], ...] = (),
+    ) -> None:
         """Note an event, and let its bodies go on from their present state."""
         if new is None:
             new = [start(body, self.now, self.physics.cloth, self.physics.gravity) for body in bodies]
-        self.events.append(Event(self.now, kind, where, [self.motion[body.index] for body in bodies], new))
+        self.events.append(Event(self.now, kind, where, [self.motion[body.index] for body in bodies], new, pairs))
         for body, motion in zip(bodies, new, strict=True):
             self.motion[body.index] = motion
             self.tracks[body.index].append(motion)

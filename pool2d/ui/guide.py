@@ -39,10 +39,10 @@ class Guide:
 
 def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
     """The guide of a rollout; `length` is how far the ways after the contact are followed."""
-    contact = next((event for event in rollout.events if event.kind == "ball_ball" and cue in event.balls), None)
+    contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))
     if contact is None:
         return Guide(trace(rollout, cue), None, [], [])
-    hit = next(ball for ball in contact.balls if ball != cue)
+    hit = next(ball for ball in pair if ball != cue)
     return Guide(
         trace(rollout, cue, end=contact.t),
         contact.before[cue],

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import pygame
 
-from ..physics.contact import miscue_limit
+from ..physics.strike import miscue_limit
 from . import pen, text, theme
 from .aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
 

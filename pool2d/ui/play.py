@@ -11,8 +11,8 @@ import pygame
 
 from ..errors import BudgetError, InputError
 from ..game.session import Session
-from ..physics.contact import hop
 from ..physics.rollout import Rollout
+from ..physics.strike import hop
 from ..physics.values import POCKETED
 from ..table import Table
 from . import cue_art, guide, hud, theme

@@ -1,0 +1,87 @@
+"""The cue's strike: what the tip's impulse does to a ball."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from .values import Shot
+
+if TYPE_CHECKING:
+    from .motion import Body
+    from .params import Cue, Physics
+
+
+def miscue_limit(tip_friction: float) -> float:
+    """How far from the centre the tip may hit, in radii, before it slips (friction cone, TP 2.1)."""
+    return tip_friction / math.hypot(1.0, tip_friction)
+
+
+def squirt(side: float, ball_mass: float, end_mass: float) -> float:
+    """The angle by which a ball leaves turned away from the english, radians (Alciatore TP A.31).
+
+    Positive to the left, for a tip to the right.
+    """
+    if end_mass == 0.0:
+        return 0.0
+    depth = 1.0 - side * side
+    return math.atan(2.5 * side * math.sqrt(depth) / (1.0 + ball_mass / end_mass + 2.5 * depth))
+
+
+def hop(shot: Shot, mass: float, physics: Physics) -> tuple[float, float, float, float]:
+    """How a ball struck downward would leave the slate: speed up, height, time in the air, way made in it.
+
+    The engine keeps balls on the cloth; this tells a player where that is not so. The ball is driven
+    into the slate at v sin(th) and comes back at e times that; friction with the cloth is left out.
+    """
+    tilt = math.radians(shot.elevation)
+    cue = physics.cue
+    offsets = 2.5 * (shot.side**2 + shot.height**2)
+    inertia = 1.0 / cue.mass + (math.cos(tilt) ** 2 + offsets) / mass
+    speed = (1.0 + cue.tip_restitution) * shot.speed / (inertia * mass)
+    return flight(speed, shot.elevation, physics.cloth.bounce, physics.gravity)
+
+
+def flight(speed: float, elevation: float, bounce: float, gravity: float) -> tuple[float, float, float, float]:
+    """Speed up, height, time and way of a ball sent into the slate at `speed` m/s and `elevation` degrees."""
+    tilt = math.radians(elevation)
+    up = bounce * speed * math.sin(tilt)
+    time = 2.0 * up / gravity
+    return up, up * up / (2.0 * gravity), time, speed * math.cos(tilt) * time
+
+
+def strike(ball: Body, shot: Shot, cue: Cue) -> bool:
+    """Set `ball` moving as the cue sends it; True for a clean hit, False for a miscue.
+
+    The cue pushes along its own line, or, past the friction limit, along the nearest line that the
+    friction cone allows. With that line e, the tip meets an inertia of |e_xy|^2/m + 5 |r x e|^2 / (2 m)
+    (r in radii; the slate takes the vertical part) and the cue one of (d.e)^2/M, so the impulse is
+    J = (1 + e_tip) V (d.e) / their sum. For a clean hit this is Alciatore TP A.30 with elevation.
+    """
+    a, b = shot.side, shot.height
+    tilt = math.radians(shot.elevation)
+    cos, sin = math.cos(tilt), math.sin(tilt)
+    offset = min(math.hypot(a, b), 1.0)
+    depth = math.sqrt(1.0 - offset * offset)
+    clean = offset <= miscue_limit(cue.tip_friction)
+    # In the cue's frame (along it, to its right, up across it) the ball's centre sees the tip at
+    # (-depth, a, b), and the push is (cos, sin) of the miss angle along and away from the centre line.
+    miss = 0.0 if clean else math.acos(depth) - math.atan(cue.tip_friction)
+    along, away = math.cos(miss), -math.sin(miss)
+    right, up = (away * a / offset, away * b / offset) if offset > 0.0 else (0.0, 0.0)
+    # The moment r x e, about the axes (along, right, up), which are left-handed.
+    m_along = b * right - a * up
+    m_right = -b * along - depth * up
+    m_up = depth * right + a * along
+    ahead = along * cos + up * sin
+    inertia = (ahead * ahead + right * right + 2.5 * (m_along**2 + m_right**2 + m_up**2)) / ball.mass
+    impulse = (1.0 + cue.tip_restitution) * shot.speed * along / (inertia + along * along / cue.mass)
+    # To the table's frame turned to the aim: x ahead, y left, z up.
+    speed, turn = impulse / ball.mass, 2.5 * impulse / (ball.mass * ball.radius)
+    vx, vy = speed * ahead, -speed * right
+    wx, wy, wz = turn * (m_along * cos + m_up * sin), -turn * m_right, turn * (m_up * cos - m_along * sin)
+    aim = math.radians(shot.angle) + squirt(a, ball.mass, cue.end_mass)
+    ca, sa = math.cos(aim), math.sin(aim)
+    ball.vx, ball.vy = vx * ca - vy * sa, vx * sa + vy * ca
+    ball.wx, ball.wy, ball.wz = wx * ca - wy * sa, wx * sa + wy * ca, wz
+    return clean
