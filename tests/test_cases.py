@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, Table, simulate
-from pool2d.physics.contact import miscue_limit
+from pool2d.physics.contact import hop, miscue_limit
 
 from .checks import energy
 from .scenes import open_table
@@ -214,7 +214,13 @@ def test_squirt(case: dict[str, Any]) -> None:
 
 @cases("D12")
 def test_hop(case: dict[str, Any]) -> None:
-    pytest.skip("balls do not leave the slate")
+    given, expected = case["inputs"], case["expected"]
+    table = open_table(cloth__bounce=given["e_slate"])
+    # The cue's speed that gives the ball this speed along the cue.
+    level = given["v_ball_mps"] * math.cos(math.radians(given["elevation_deg"]))
+    unit = strike(table, Shot(speed=1.0, elevation=given["elevation_deg"])).vx
+    shot = Shot(speed=level / unit, elevation=given["elevation_deg"])
+    assert hop(shot, table.knobs.ball.mass, table.knobs) == near(case, tuple(expected.values()))
 
 
 def test_every_case_has_a_test() -> None:

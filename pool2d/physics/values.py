@@ -104,7 +104,7 @@ class Shot:
         """Raises InputError where a number is not finite, out of range, or the tip misses the ball."""
         for name, (lo, hi, unit) in SHOT_RANGES.items():
             value = getattr(self, name)
-            if not (math.isfinite(value) and lo <= value <= hi):
+            if not lo <= value <= hi:
                 raise InputError(source, f"shot.{name}", value, f"allowed is a number from {lo:g} to {hi:g}{unit}")
         if math.hypot(self.side, self.height) > 1.0:
             raise InputError(
