@@ -1,0 +1,221 @@
+"""The figures of `docs/physics.md`, drawn from the engine: `python -m docs.figures`.
+
+Needs the optional extra: `pip install -e '.[figures]'`. Lines are what pool2d does; dots are published.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import takewhile
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+
+from pool2d import Ball, Event, Layout, Rollout, Table, load_table, simulate
+
+HERE = Path(__file__).parent / "figures"
+TABLE = load_table("pool-9ft")
+RADIUS = TABLE.knobs.ball.radius
+COLORS = ("#14746f", "#c8812a", "#8e2f4a", "#3b5b92")
+
+
+def first(rollout: Rollout, *kinds: str) -> Event:
+    """The first event of one of these kinds."""
+    return next(event for event in rollout.events if event.kind in kinds)
+
+
+def direction(ball: Ball) -> float:
+    """Where a ball is going, degrees."""
+    return math.degrees(math.atan2(ball.vy, ball.vx))
+
+
+def cut_shot(table: Table, cut: float, speed: float, roll: float, side: float = 0.0) -> Event:
+    """The contact of a cue ball with a ball at a cut angle, travelling along +x; `roll` is R w / v."""
+    angle = math.radians(cut)
+    one = Ball("1", 1.27, 0.635)
+    gap = 1e-7
+    x = one.x - (2.0 * RADIUS + gap) * math.cos(angle)
+    y = one.y - (2.0 * RADIUS + gap) * math.sin(angle)
+    cue = Ball("cue", x, y, vx=speed, wy=roll * speed / RADIUS, wz=side * speed / RADIUS)
+    return first(simulate(table, Layout([cue, one]), events=4), "ball_ball")
+
+
+def settled(table: Table, ball: Ball) -> tuple[float, float]:
+    """The velocity at which a ball comes to roll."""
+    ux, uy = ball.vx - RADIUS * ball.wy, ball.vy + RADIUS * ball.wx
+    return ball.vx - 2.0 / 7.0 * ux, ball.vy - 2.0 / 7.0 * uy
+
+
+def throw(axes: Axes) -> None:
+    """Cut-induced throw: friction drags the object ball off the line of centres."""
+    table = TABLE.with_knobs({"ball.restitution": 1.0})
+    published = {
+        0.447: [0.7161, 1.443, 2.1921, 2.9765, 3.8111, 4.715, 5.2372, 5.0835, 4.9451, 4.8221, 4.6211, 4.4791, 4.3945],
+        1.341: [0.7161, 1.443, 2.1921, 2.9765, 3.8111, 3.5491, 3.2465, 2.9899, 2.7734, 2.5921, 2.3179, 2.14, 2.04],
+        3.129: [0.7161, 1.443, 2.1921, 2.5, 2.0372, 1.6976, 1.4479, 1.2637, 1.1273, 1.026, 0.8945, 0.8226, 0.7866],
+    }
+    at = [5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 60, 70, 80]
+    cuts = [0.5 * i for i in range(2, 170)]
+    for color, (speed, points) in zip(COLORS, published.items(), strict=False):
+        thrown = [cut - direction(cut_shot(table, cut, speed, 0.0).after["1"]) for cut in cuts]
+        axes.plot(cuts, thrown, color=color, label=f"{speed} m/s")
+        axes.plot(at, points, "o", color=color, markersize=4)
+    axes.set(xlabel="cut angle, degrees", ylabel="throw, degrees", title="Throw of a stun shot")
+    axes.legend()
+
+
+def thirty_degrees(axes: Axes) -> None:
+    """The 30-degree rule: where a rolling cue ball goes after hitting another."""
+    cuts = [0.5 * i for i in range(2, 178)]
+    for color, (name, knobs) in zip(
+        COLORS,
+        {"smooth, e = 1": {"ball.restitution": 1.0, "ball.law": "frictionless"}, "the preset's balls": {}}.items(),
+        strict=False,
+    ):
+        table = TABLE.with_knobs(knobs)
+        bent = []
+        for cut in cuts:
+            vx, vy = settled(table, cut_shot(table, cut, 1.0, 1.0).after["cue"])
+            bent.append(abs(math.degrees(math.atan2(vy, vx))))
+        axes.plot(cuts, bent, color=color, label=name)
+    at = [5, 10, 15, 20, 25, 28.1255, 30, 35, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85]
+    points = [12.0251, 21.6806, 28.1622, 31.8683, 33.5035, 33.749, 33.6705, 32.8025, 31.1962, 29.0546, 26.5182]
+    points += [23.6868, 20.633, 17.4111, 14.0631, 10.6222, 7.1159, 3.5681]
+    axes.plot(at, points, "o", color=COLORS[0], markersize=4)
+    axes.axhline(30.0, color="#999999", linewidth=0.8, linestyle="--")
+    axes.set(xlabel="cut angle, degrees", ylabel="cue ball's deflection, degrees", title="The 30-degree rule")
+    axes.legend()
+
+
+def snooker() -> Table:
+    """The cushion and the balls of Mathavan's measurements."""
+    radius = 0.02625
+    return TABLE.with_knobs({
+        "ball.radius": radius, "ball.mass": 0.1406, "cushion.nose_height": 1.4 * radius, "cushion.restitution": 0.98,
+        "cushion.friction": 0.14, "cloth.mu_slide": 0.212,
+    })  # fmt: skip
+
+
+def rebound(table: Table, incidence: float, roll: float, side: float) -> Ball:
+    """A ball just after the top cushion that it met `incidence` degrees from the cushion's line, at 1 m/s."""
+    radius = table.knobs.ball.radius
+    angle = math.radians(incidence)
+    vx, vy = math.cos(angle), math.sin(angle)
+    y = table.knobs.table.width - table.reach(radius) - 1e-7
+    cue = Ball("cue", 0.8, y, vx, vy, -roll * vy / radius, roll * vx / radius, side / radius)
+    return first(simulate(table, Layout([cue]), events=4), "ball_cushion").after["cue"]
+
+
+def cushions(axes: Axes) -> None:
+    """The rebound of a rolling ball, without side spin, with running and with reverse english."""
+    table = snooker()
+    published = {
+        0.0: ([10, 20, 30, 40, 45, 50, 60, 70, 80], [10.34, 21.74, 34.0, 46.55, 52.68, 58.56, 68.82, 76.59, 83.39]),
+        2.0: ([10, 20, 30, 40, 45, 50, 60, 70, 80, 89], [9.16, 17.52, 25.46, 33.17, 36.97, 40.77, 48.38, 56.17, 64.35, 72.23]),
+        -1.0: ([10, 20, 30, 40, 45, 50, 60, 70, 80, 89], [10.36, 21.9, 34.49, 47.7, 54.35, 60.89, 73.4, 84.82, 95.01, 103.1]),
+    }  # fmt: skip
+    names = {0.0: "no english", 2.0: "running, R w = 2 v", -1.0: "reverse, R w = v"}
+    angles = list(range(4, 90))
+    for color, (side, (at, points)) in zip(COLORS, published.items(), strict=False):
+        out = [-direction(rebound(table, angle, 1.0, side)) for angle in angles]
+        axes.plot(angles, out, color=color, label=names[side])
+        axes.plot(at, points, "o", color=color, markersize=4)
+    axes.plot([0, 90], [0, 90], color="#999999", linewidth=0.8, linestyle="--")
+    axes.set(
+        xlabel="incidence from the cushion, degrees", ylabel="rebound, degrees", title="A rolling ball and a cushion"
+    )
+    axes.legend()
+
+
+def bend(axes: Axes) -> None:
+    """Speed carries the cue ball down the tangent line before its roll bends it: half-ball hits."""
+    table = TABLE.with_knobs({"ball.restitution": 1.0, "ball.law": "frictionless"})
+    for color, speed in zip(COLORS, (1.0, 2.0, 3.0), strict=False):
+        angle = math.radians(30.0)
+        one = Ball("1", 1.27, 0.9)
+        start = (one.x - 2.0 * RADIUS * math.cos(angle), one.y - 2.0 * RADIUS * math.sin(angle))
+        cue = Ball("cue", start[0] - 1e-7, start[1], vx=speed, wy=speed / RADIUS)
+        way = simulate(table, Layout([cue, one])).path("cue", 0.005)
+        path = [(x - start[0], y - start[1]) for _, x, y in way]
+        shown = list(takewhile(lambda at: at[0] < 0.5 and at[1] > -0.5, path))
+        axes.plot([x for x, _ in shown], [y for _, y in shown], color=color, label=f"{speed:g} m/s")
+    axes.plot([0.18016], [-0.18723], "o", color=COLORS[1], markersize=5)
+    axes.set(
+        xlabel="along the aim, m",
+        ylabel="across it, m",
+        title="The cue ball's bend after a half-ball hit",
+        aspect="equal",
+    )
+    axes.legend()
+
+
+def chain(axes: Axes) -> None:
+    """Five balls in line, the first one moving: touching, and a little apart."""
+    published = [-0.07108, -0.03027, -0.01446, 0.12704, 0.98878]
+    table = TABLE.with_knobs({"ball.restitution": 1.0, "ball.law": "frictionless"})
+    for color, (name, gap) in zip(COLORS, {"touching": 0.0, "0.1 mm apart": 1e-4}.items(), strict=False):
+        balls = [Ball(str(i), 0.6 + i * 2.0 * RADIUS + max(0, i - 1) * gap, 0.635) for i in range(5)]
+        balls[0] = balls[0]._replace(vx=0.5)
+        rollout = simulate(table, Layout(balls), events=12 if gap else 1)
+        hits = [event for event in rollout.events if event.kind in ("ball_ball", "cluster") and event.t < 0.01]
+        after = hits[-1].t
+        axes.plot(
+            range(1, 6), [rollout.ball_at(str(i), after).vx / 0.5 for i in range(5)], "-", color=color, label=name
+        )
+    axes.plot(range(1, 6), published, "o", color=COLORS[0], markersize=5)
+    axes.set(
+        xlabel="ball", ylabel="velocity / that of the first before", title="A chain of five balls", xticks=range(1, 6)
+    )
+    axes.legend()
+
+
+def rack(axes: Axes) -> None:
+    """A tight rack struck square: velocities just after."""
+    table = TABLE.with_knobs({"ball.restitution": 1.0, "ball.law": "frictionless"})
+    balls = [Ball("cue", 1.7, 0.635, vx=8.0)]
+    for i in range(5):
+        for j in range(i + 1):
+            x, y = 1.905 + i * math.sqrt(3.0) * RADIUS, 0.635 + (2 * j - i) * RADIUS
+            balls.append(Ball(f"{len(balls):02d}", x, y))
+    event = first(simulate(table, Layout(balls), events=4), "cluster")
+    for ball in event.after.values():
+        axes.add_patch(plt.Circle((ball.x, ball.y), RADIUS, color="#e8e2d4" if ball.id == "cue" else "#d9ece8"))
+        axes.annotate(
+            "", (ball.x + 0.035 * ball.vx, ball.y + 0.035 * ball.vy), (ball.x, ball.y),
+            arrowprops={"arrowstyle": "->", "color": COLORS[0], "lw": 1.4},
+        )  # fmt: skip
+    x, y = 1.905 + 4 * math.sqrt(3.0) * RADIUS, 0.635 + 4 * RADIUS
+    for sign in (1.0, -1.0):
+        axes.plot([x + 0.035 * 8 * 0.4868], [0.635 + sign * (y - 0.635 + 0.035 * 8 * 0.2806)], "o", color=COLORS[1])
+    axes.set(xlim=(1.75, 2.38), ylim=(0.35, 0.92), aspect="equal", title="A tight rack, just struck square at 8 m/s")
+    axes.set_xticks([])
+    axes.set_yticks([])
+
+
+FIGURES: dict[str, Callable[[Axes], None]] = {
+    "throw": throw,
+    "thirty-degrees": thirty_degrees,
+    "cushions": cushions,
+    "bend": bend,
+    "chain": chain,
+    "rack": rack,
+}
+
+
+def main() -> None:
+    HERE.mkdir(exist_ok=True)
+    for name, draw in FIGURES.items():
+        figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
+        axes.grid(color="#eeeeee")
+        draw(axes)
+        figure.savefig(HERE / f"{name}.png", dpi=110)
+        plt.close(figure)
+
+
+if __name__ == "__main__":
+    main()
