@@ -6,6 +6,7 @@ Color = tuple[int, int, int] | tuple[int, int, int, int]
 
 BACKGROUND = (13, 14, 16)
 PANEL = (16, 18, 20, 235)
+VEIL = (6, 7, 8, 190)
 EDGE = (56, 58, 60)
 TEXT = (236, 232, 224)
 QUIET = (160, 158, 152)
