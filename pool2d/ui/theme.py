@@ -6,6 +6,8 @@ Color = tuple[int, int, int] | tuple[int, int, int, int]
 
 BACKGROUND = (13, 14, 16)
 PANEL = (16, 18, 20, 235)
+FACE = (30, 33, 35)
+FACE_LIT = (46, 50, 52)
 EDGE = (56, 58, 60)
 TEXT = (236, 232, 224)
 QUIET = (160, 158, 152)
