@@ -19,7 +19,7 @@ class InputError(ValueError):
         self.key = key
         self.value = value
         self.allowed = allowed
-        super().__init__(f"{source}: {key} = {_short(value)}: {allowed}" if key else f"{source}: {allowed}")
+        super().__init__(_line(f"{source}: {key} = {_short(value)}: {allowed}" if key else f"{source}: {allowed}"))
 
     def at(self, source: str) -> InputError:
         """The same complaint, said of another source."""
@@ -46,6 +46,11 @@ def suggest(word: str, known: Iterable[str]) -> str:
     if near:
         return f"unknown; did you mean {near[0]}?"
     return "unknown; known are " + ", ".join(options)
+
+
+def _line(text: str) -> str:
+    """Text that stays on its line and can be written anywhere, whatever a file holds."""
+    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
 
 
 def _short(value: object) -> str:

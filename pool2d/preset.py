@@ -22,7 +22,7 @@ def load_table(name: str | Path, overrides: Mapping[str, Any] | None = None) -> 
     `overrides` sets dotted knobs on top. Raises InputError, naming the file and the key.
     """
     source, path = str(name), preset_path(str(name))
-    if not source.endswith(".toml") and not path.is_file():
+    if not source.endswith(".toml") and source not in presets():
         raise InputError("table", "table", source, f"{suggest(source, presets())}; or a path to a .toml file")
     data = read_toml(path)
     groups = {name.partition(".")[0] for name, _, _ in walk(Knobs())}
@@ -52,9 +52,8 @@ def read_toml(path: Path) -> dict[str, Any]:
         return tomllib.loads(path.read_bytes().decode("utf-8"))
     except OSError as error:
         raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise InputError(str(path), "", None, f"not a TOML file: {reason}") from error
+    except (ValueError, RecursionError) as error:
+        raise InputError(str(path), "", None, f"not a TOML file: {error}") from error
 
 
 def _dotted(data: Mapping[str, Any], source: str) -> dict[str, Any]:
@@ -85,6 +84,10 @@ def _furniture(data: Mapping[str, Any], source: str) -> Furniture:
     if not isinstance(cue, str):
         raise InputError(source, "balls.cue", cue, "allowed is a ball's id")
     groups = {name: _ids(ids, source, f"balls.{name}") for name, ids in balls.items()}
+    every = [cue, *(ball for ids in groups.values() for ball in ids)]
+    for ball in every:
+        if every.count(ball) > 1:
+            raise InputError(source, "balls", ball, "more than one ball has this id")
     furniture = Furniture(
         None if line is None else float(_PLACE.check(line, source, "marks.head_string")),
         int(_COUNT.check(marks.get("sights", 0), source, "marks.sights")),
@@ -121,11 +124,13 @@ def _check_slots(slots: list[str], furniture: Furniture, source: str, key: str) 
     for slot in slots:
         if slot not in ("any", *groups, *balls):
             raise InputError(source, key, slot, suggest(slot, ("any", *groups, *balls)))
+        if slots.count(slot) > 1 and slot in balls and slot not in groups:
+            raise InputError(source, key, slot, "more than one slot names this ball")
     for name, group in groups.items():
         spare = [ball for ball in group if ball not in slots]
         if slots.count(name) > len(spare):
             raise InputError(source, key, name, f"more slots than the {len(spare)} balls left in the group")
-    if len(slots) > len(balls) or any(slots.count(ball) > 1 for ball in balls if ball not in groups):
+    if len(slots) > len(balls):
         raise InputError(source, key, len(slots), f"more slots than the {len(balls)} balls under [balls]")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -71,7 +72,7 @@ def _scenario(data: Mapping[str, Any], source: str, overrides: Mapping[str, Any]
         raise InputError(source, "table", name, "allowed is a preset's name or a path to a .toml file")
     if name.endswith(".toml") and not Path(name).is_absolute():
         beside = Path(source).parent / name
-        name = str(beside) if beside.is_file() else name
+        name = str(beside) if os.path.isfile(beside) else name  # unlike Path.is_file, False for any odd name
     own = data.get("set", {})
     if not isinstance(own, dict):
         raise InputError(source, "set", own, "allowed is a section of dotted knob names and values")
@@ -94,8 +95,8 @@ def _ball(entry: Any, source: str, key: str) -> Ball:
         raise InputError(source, key, entry, "allowed is a ball: " + ", ".join(_BALL_KEYS))
     _known(entry, _BALL_KEYS, source, key + ".")
     name = entry.get("id")
-    if not isinstance(name, str) or not name:
-        raise InputError(source, f"{key}.id", name, "allowed is a text that is not empty")
+    if not isinstance(name, str) or not name or not name.isprintable():
+        raise InputError(source, f"{key}.id", name, "allowed is a text of printable characters, not empty")
     for needed in ("x", "y"):
         if needed not in entry:
             raise InputError(source, f"{key}.{needed}", None, f"missing; needed is {RANGES[needed].allowed()}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 from hypothesis import strategies as st
 
@@ -10,12 +11,10 @@ from pool2d import Ball, Layout, Shot, Table
 
 from .scenes import Play
 
-UNIT = st.floats(0.0, 1.0)
-
 
 def between(low: float, high: float) -> st.SearchStrategy[float]:
-    """A number in a range, which shrinks towards zero where that is within."""
-    return st.floats(low, high, allow_nan=False, allow_subnormal=False)
+    """A number in a range, to a millionth, zero among the first tried where it is within."""
+    return st.floats(low, high).map(lambda value: round(value, 6))
 
 
 def shots() -> st.SearchStrategy[Shot]:
@@ -32,33 +31,50 @@ def shots() -> st.SearchStrategy[Shot]:
 
 @st.composite
 def plays(draw: st.DrawFn, table: Table, most: int = 16, own_sizes: bool = False) -> Play:
-    """A layout of up to `most` balls and perhaps a shot."""
-    knobs = table.knobs.table
+    """A layout of up to `most` balls and perhaps a shot.
+
+    Hypothesis chooses how many balls, how many of them are frozen and move, and shrinks that; the places
+    come from a seed, for its own numbers crowd round the simple ones.
+    """
+    count, frozen, moving = draw(st.integers(1, most)), draw(st.integers(0, 4)), draw(st.integers(0, 4))
+    shot = draw(st.none() | shots())
+    rng = random.Random(draw(st.integers(0, 2**32)))
     layout = Layout()
-    for number in range(draw(st.integers(1, most))):
-        radius = draw(st.sampled_from([0.022, 0.0255, 0.028575, 0.034])) if own_sizes else None
-        mass = draw(st.sampled_from([0.1, 0.17, 0.3])) if own_sizes else None
-        ball = Ball(
-            f"b{number}" if number else "cue", draw(UNIT) * knobs.length, draw(UNIT) * knobs.width,
-            radius=radius, mass=mass,
-        )  # fmt: skip
-        if not table.has_room(ball.x, ball.y, table.body_of(ball)[0], layout):
-            continue
-        if draw(st.booleans()):
-            ball = _frozen(table, ball, draw(UNIT) * math.tau, layout)
-        if draw(st.booleans()):
-            ball = ball._replace(vx=draw(between(-8.0, 8.0)), vy=draw(between(-8.0, 8.0)))
-        if draw(st.booleans()):
-            spin = between(-300.0, 300.0)
-            ball = ball._replace(wx=draw(spin), wy=draw(spin), wz=draw(spin))
+    while len(layout) < count:
+        ball = _somewhere(table, layout, rng, own_sizes)
+        if rng.randrange(4) < frozen:
+            ball = _frozen(table, ball, layout, rng)
+        if rng.randrange(4) < moving:
+            ball = _moving(ball, rng)
         layout = layout.put(ball)
-    return layout, draw(shots()) if "cue" in layout and draw(st.booleans()) else None
+    return layout, shot
 
 
-def _frozen(table: Table, ball: Ball, way: float, layout: Layout) -> Ball:
-    """The ball sent along `way` until it touches something, unless that is a pocket."""
+def _somewhere(table: Table, layout: Layout, rng: random.Random, own_sizes: bool) -> Ball:
+    """A ball where there is room."""
+    knobs = table.knobs.table
+    name = f"b{len(layout)}" if layout else "cue"
+    while True:
+        radius = rng.choice([0.022, 0.0255, 0.028575, 0.034]) if own_sizes else None
+        mass = rng.choice([0.1, 0.17, 0.3]) if own_sizes else None
+        ball = Ball(name, rng.uniform(0.0, knobs.length), rng.uniform(0.0, knobs.width), radius=radius, mass=mass)
+        if table.has_room(ball.x, ball.y, table.body_of(ball)[0], layout):
+            return ball
+
+
+def _frozen(table: Table, ball: Ball, layout: Layout, rng: random.Random) -> Ball:
+    """The ball sent along until it touches something, unless that is a pocket."""
+    way = rng.choice([0.0, 0.5, 1.0, 1.5, rng.uniform(0.0, 2.0)]) * math.pi
     dx, dy = math.cos(way), math.sin(way)
     distance, what = table.cast(ball.x, ball.y, dx, dy, layout, ball.radius)
     if what is None or any(pocket.name == what for pocket in table.geometry.pockets):
         return ball
     return ball._replace(x=ball.x + dx * distance, y=ball.y + dy * distance)
+
+
+def _moving(ball: Ball, rng: random.Random) -> Ball:
+    """The ball with a velocity, or a spin, or both, small or large."""
+    speed, spin = rng.choice([0.0, 0.01, 1.0, 4.0]), rng.choice([0.0, 0.1, 10.0, 100.0])
+    vx, vy = (rng.gauss(0.0, speed) for _ in range(2))
+    wx, wy, wz = (rng.gauss(0.0, spin) for _ in range(3))
+    return ball._replace(vx=vx, vy=vy, wx=wx, wy=wy, wz=wz)

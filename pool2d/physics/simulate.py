@@ -62,7 +62,7 @@ def simulate(
     while len(world.events) < limit and world.advance():
         pass
     truncated = world.advance(look=True)
-    if truncated and limit == budget:
+    if truncated and limit != events:
         raise BudgetError(budget, world.now, table.scenario(layout, shot))
     return Rollout(layout, {track[0].id: track for track in world.tracks}, world.events, truncated)
 

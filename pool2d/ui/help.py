@@ -33,6 +33,9 @@ class Help:
         right = max(text.font(size).size(does)[0] for _, does in rows)
         page = pygame.Rect(0, 0, left + right + 9 * unit, pitch * (len(rows) + 2) + 5 * unit)
         page.center = surface.get_rect().center
+        veil = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
+        veil.fill(theme.VEIL)
+        surface.blit(veil, (0, 0))
         panel = pygame.Surface(page.size, pygame.SRCALPHA)
         pygame.draw.rect(panel, theme.PANEL, panel.get_rect(), border_radius=unit)
         surface.blit(panel, page)
