@@ -158,3 +158,7 @@ def _ids(value: Any, source: str, key: str) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
         raise InputError(source, key, value, "allowed is a list of texts")
     return tuple(value)
+
+
+def save_preset(name: str, base: str, overrides: Mapping[str, Any], title: str) -> Path:
+    raise InputError(name, "", None, "not yet")

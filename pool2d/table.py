@@ -77,6 +77,15 @@ class Table:
         """A copy with dotted knobs set on top of what was set before; raises InputError."""
         return Table(self.source, self.title, self.base, self.furniture, {**self.set, **overrides})
 
+    def reset(self, *names: str) -> Table:
+        """A copy with these knobs as the preset has them; all of them where none is named."""
+        kept = {name: value for name, value in self.set.items() if names and name not in names}
+        return Table(self.source, self.title, self.base, self.furniture, kept)
+
+    def boxes(self) -> list[tuple[float, float, float, float]]:
+        """The broad phase's box round each element: left, bottom, right, top, m."""
+        return [(box.left, box.bottom, box.right, box.top) for box in (shape.bb for shape in self._index)]
+
     def rack(self, name: str, seed: int = 0) -> Layout:
         """The balls of a rack with the cue ball on the head spot; `seed` draws what the rules leave open.
 

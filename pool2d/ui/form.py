@@ -41,13 +41,17 @@ class Form:
         self._held = self._held if self._held in self.widgets else None
         self._hovered = None
 
+    def height(self, unit: int) -> int:
+        """How tall the rows are, in pixels."""
+        return sum(_row_height(row, unit) for row in self.rows)
+
     def place(self, rect: pygame.Rect, unit: int) -> None:
         """Lay the widgets out in `rect`."""
         self.rect, self.unit = rect, unit
-        self.scroll = max(0, min(self.scroll, self._height() - rect.height + 4 * unit))
+        self.scroll = max(0, min(self.scroll, self.height(unit) - rect.height + 4 * unit))
         y = rect.top + 2 * unit - self.scroll
         for row in self.rows:
-            height = self._row_height(row)
+            height = _row_height(row, unit)
             width = (rect.width - 4 * unit - (len(row) - 1) * unit) // len(row)
             for i, widget in enumerate(row):
                 widget.rect = pygame.Rect(rect.left + 2 * unit + i * (width + unit), y, width, height)
@@ -145,8 +149,6 @@ class Form:
             return None
         return next((widget for widget in self.widgets if widget.rect.collidepoint(pos)), None)
 
-    def _row_height(self, row: list[Widget]) -> int:
-        return round(max(widget.rows for widget in row) * 3 * self.unit)
 
-    def _height(self) -> int:
-        return sum(self._row_height(row) for row in self.rows)
+def _row_height(row: list[Widget], unit: int) -> int:
+    return round(max(widget.rows for widget in row) * 3 * unit)

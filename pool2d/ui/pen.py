@@ -59,7 +59,9 @@ def _ring(color: Color, radius: float, width: float, step_x: int, step_y: int) -
     half = math.ceil(radius + width / 2.0) + 2
     across = np.arange(-half, half + 1, dtype=np.float64)
     distance = np.hypot(across[:, None] - step_x / _STEPS, across[None, :] - step_y / _STEPS)
-    cover = np.clip(width / 2.0 + 0.5 - np.abs(distance - radius), 0.0, 1.0)
+    cover = np.clip(radius + width / 2.0 + 0.5 - distance, 0.0, 1.0)
+    if radius > width / 2.0:
+        cover -= np.clip(radius - width / 2.0 + 0.5 - distance, 0.0, 1.0)
     image = pygame.Surface((2 * half + 1, 2 * half + 1), pygame.SRCALPHA)
     image.fill(color)
     alpha = color[3] if len(color) == 4 else 255

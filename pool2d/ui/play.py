@@ -14,13 +14,17 @@ from ..game.session import Session
 from ..physics.rollout import Rollout
 from ..physics.strike import hop
 from ..physics.values import POCKETED
+from ..preset import save_preset
 from ..table import Table
 from . import cue_art, guide, hud, theme
 from .aim import FULL_PULL, Aim, pulled_speed
+from .debug import ScreenPen, draw_geometry
+from .dialog import Ask
 from .help import Help
 from .keys import action_of, fine_step
 from .scene import Scene
 from .stage import Stage
+from .tuning import Tuning
 
 _FAST = 8.0
 # The aim, once set by wheel or keys, stays until the pointer has moved this far, in pixels.
@@ -57,6 +61,9 @@ class Play:
         self.hover: tuple[float, float] | None = None
         self.hold: tuple[int, int] | None = None
         self.pointer: tuple[int, int] | None = None
+        self.tuning: Tuning | None = None
+        self.geometry = False
+        self._next: Scene | None = None
         self.message = "Aim with the mouse, press, pull back and release. F1 lists every key."
         self.warning = ""
         self._keys: dict[str, Callable[[], None]] = {
@@ -71,12 +78,17 @@ class Play:
             "replay": self._replay,
             "undo": self._undo,
             "rack": self._rack,
+            "tune": self._tune,
+            "geometry": self._show_geometry,
             "cancel": self._cancel,
         }
 
     # Events.
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
+        if self.tuning is not None and self.pull is None and not self.drag and self.tuning.handle(event):
+            scene, self._next = self._next or self, None
+            return scene
         if event.type == pygame.KEYDOWN:
             return self._key(event.key, getattr(event, "mod", 0))
         if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
@@ -196,6 +208,8 @@ class Play:
     def _cancel(self) -> None:
         if self.pull is not None:
             self.message = "The cue is put down."
+        elif not self.drag:
+            self.tuning = None
         self.pull = None
         self.drag = ""
 
@@ -224,6 +238,29 @@ class Play:
         elif not self.rollout:
             self.rollout, self.time = self.session.rollout, 0.0
             self.message = "The last shot again."
+
+    def _tune(self) -> None:
+        if self.tuning is None:
+            speed = self.aim.speed
+            self.tuning = Tuning(self.session, self.aim.shot(self.session.cue.id, speed), self._ask_name)
+        else:
+            self.tuning = None
+
+    def _ask_name(self) -> None:
+        table = self.session.table
+
+        def save(name: str) -> str:
+            try:
+                path = save_preset(name, table.source, table.set, name)
+            except InputError as error:
+                return error.allowed
+            self.message = f"Saved as {path}"
+            return ""
+
+        self._next = Ask(self, "Save this table as a preset", "Name", f"my-{table.source}", save)
+
+    def _show_geometry(self) -> None:
+        self.geometry = not self.geometry
 
     def _undo(self) -> None:
         self._drop()
@@ -265,6 +302,8 @@ class Play:
     # Time.
 
     def update(self, dt: float) -> Scene | None:
+        if self.tuning is not None:
+            self.tuning.update(dt)
         if self.rollout:
             self.time += dt * (_FAST if self.fast else 1.0)
             if self.time >= self.rollout.duration:
@@ -291,26 +330,32 @@ class Play:
 
     def draw(self, surface: pygame.Surface) -> None:
         session, stage = self.session, self.stage
-        stage.begin(surface, session.table)
+        screen = hud.Screen(*surface.get_size())
+        stage.begin(surface, session.table, self.tuning.width(screen) if self.tuning is not None else 0)
         speed = pulled_speed(self.pulled) if self.pull is not None else self.aim.speed
-        if self.rollout:
-            stage.balls(surface, self.rollout.at(self.time))
-        elif session.in_hand:
-            stage.balls(surface, session.layout)
-            x, y = self.hover or self._spot()
-            stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
-        else:
-            if speed > 0.0:
-                stage.guide(surface, self.level, session.layout, self.aim.shot(session.cue.id, speed))
-            stage.balls(surface, session.layout)
+        shown = self.rollout.at(self.time) if self.rollout else session.layout
+        aiming = not (self.rollout or session.in_hand)
+        if self.tuning is not None and self.pull is None and not self.rollout:
+            stage.ways(surface, self.tuning)
+        elif aiming and speed > 0.0:
+            stage.guide(surface, self.level, session.layout, self.aim.shot(session.cue.id, speed))
+        stage.balls(surface, shown)
+        if aiming:
             part = max(0.0, min(1.0, self.pulled / FULL_PULL)) if self.pull is not None else 0.0
             back = _REST + (_FULL - _REST) * part
             cue_art.draw(surface, session.table, session.cue, self.aim, back, stage.view)
+        elif not self.rollout:
+            x, y = self.hover or self._spot()
+            stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
+        if self.geometry:
+            draw_geometry(ScreenPen(surface, stage.view), session.table)
         note = f"Shot {session.position.shots + 1}   \N{MIDDLE DOT}   {session.left} balls left"
         hud.draw_bars(surface, stage.screen, session.table.title, note)
         hud.draw_controls(surface, stage.screen, self.aim, speed, session.table.knobs.cue.tip_friction)
         color = theme.WARNING if self.warning else theme.TEXT
         hud.draw_message(surface, stage.screen, self.warning or self._hop(speed) or self.message, color)
+        if self.tuning is not None:
+            self.tuning.draw(surface)
 
     def _hop(self, speed: float) -> str:
         """What to say of a stroke so steep and hard that a real ball would leave the cloth."""

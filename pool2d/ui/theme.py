@@ -31,6 +31,8 @@ CUE_BUTT = (58, 32, 26)
 CUE_TIP = (70, 132, 178)
 GUIDE_CUE = (196, 222, 212)
 GUIDE_BALL = (238, 208, 136)
+WAY_OLD = (24, 100, 84)
+WAY_OTHER = (150, 190, 240)
 
 # Numbers 1 to 7; a stripe has the colour of the number eight less.
 BALLS = {

@@ -12,7 +12,10 @@ from collections.abc import Callable, Sequence
 import pygame
 
 from ..knobs import Knob
-from . import text, theme
+from . import pen, text, theme
+
+_BACK = "\N{SINGLE LEFT-POINTING ANGLE QUOTATION MARK}"
+_ON = "\N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK}"
 
 
 class Widget:
@@ -138,7 +141,7 @@ class Toggle(Widget):
         on = self.get()
         pygame.draw.rect(surface, theme.ACCENT if on else theme.EDGE, track, border_radius=unit)
         x = track.right - unit if on else track.left + unit
-        pygame.draw.circle(surface, theme.TEXT, (x, track.centery), unit * 3 // 4)
+        pen.disc(surface, theme.TEXT, (x, track.centery), unit * 0.8)
 
 
 class Slider(Widget):
@@ -203,8 +206,8 @@ class Slider(Widget):
         x = round(track.left + self.part(value) * track.width)
         pygame.draw.rect(surface, theme.ACCENT, (track.left, track.top, x - track.left, track.height), border_radius=4)
         if focused or hovered:
-            pygame.draw.circle(surface, theme.EDGE, (x, track.centery), unit * 5 // 4)
-        pygame.draw.circle(surface, theme.TEXT, (x, track.centery), unit * 3 // 4)
+            pen.disc(surface, theme.EDGE, (x, track.centery), unit * 1.3)
+        pen.disc(surface, theme.TEXT, (x, track.centery), unit * 0.85)
 
     def _track(self) -> pygame.Rect:
         unit = self._unit
@@ -253,11 +256,8 @@ class Choice(Widget):
         )
         box.inflate_ip(0, -unit // 2)
         plate(surface, box, theme.FACE_LIT if hovered else theme.FACE, unit, _tone(focused, False))
-        for mark, x, anchor in (
-            ("\N{SINGLE LEFT-POINTING ANGLE QUOTATION MARK}", box.left + unit, 0.0),
-            ("\N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK}", box.right - unit, 1.0),
-        ):
-            text.draw(surface, mark, size, theme.QUIET, (x, box.centery), (anchor, 0.5))
+        text.draw(surface, _BACK, size, theme.QUIET, (box.left + unit, box.centery), (0.0, 0.5))
+        text.draw(surface, _ON, size, theme.QUIET, (box.right - unit, box.centery), (1.0, 0.5))
         shown = text.fitted(self.get(), size, box.width - 5 * unit)
         text.draw(surface, shown, size, theme.TEXT, box.center, (0.5, 0.5))
 
