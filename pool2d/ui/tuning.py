@@ -145,8 +145,8 @@ class Tuning:
             self.form.focus = next(widget for widget in self.form.widgets if isinstance(widget, Tabs))
 
     def _widget(self, name: str, knob: Knob) -> Widget:
-        label = name if name.startswith(("corner.", "side.")) else name.rpartition(".")[2]
-        label = label.replace("_", " ").replace(".", " ").capitalize()
+        plain = name if self.page == "Pockets" else name.rpartition(".")[2]
+        label = knob.label or plain.replace("_", " ").replace(".", " ").capitalize()
         if knob.choices:
             return Choice(
                 label,
