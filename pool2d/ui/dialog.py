@@ -9,8 +9,9 @@ import pygame
 from . import theme
 from .form import Form
 from .hud import Screen
+from .inputs import TextField
 from .scene import Scene
-from .widgets import Button, Heading, TextField, Widget
+from .widgets import Button, Heading, Widget
 
 
 class Dialog:

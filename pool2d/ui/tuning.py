@@ -17,7 +17,8 @@ from ..table import Table
 from . import theme
 from .form import Form
 from .hud import Screen
-from .widgets import Button, Choice, Heading, Slider, Tabs, Widget
+from .inputs import Choice, Slider
+from .widgets import Button, Heading, Tabs, Widget
 
 # The panel's pages, and the knobs on each by the beginning of their names.
 PAGES = {

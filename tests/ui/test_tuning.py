@@ -11,8 +11,9 @@ from pool2d import load_table
 from pool2d.knobs import walk
 from pool2d.ui.debug import draw_geometry
 from pool2d.ui.dialog import Ask
+from pool2d.ui.inputs import Choice, Slider
 from pool2d.ui.tuning import NOTHING, PAGES, Tuning
-from pool2d.ui.widgets import Button, Choice, Slider, Tabs, Widget
+from pool2d.ui.widgets import Button, Tabs, Widget
 
 from .conftest import Hand
 

@@ -9,7 +9,8 @@ import pytest
 
 from pool2d.knobs import Knob
 from pool2d.ui.form import Form
-from pool2d.ui.widgets import Button, Choice, Heading, ListBox, Slider, Tabs, TextField, Toggle, Widget
+from pool2d.ui.inputs import Choice, ListBox, Slider, TextField
+from pool2d.ui.widgets import Button, Heading, Tabs, Toggle, Widget
 
 BOX = pygame.Rect(100, 50, 320, 600)
 
