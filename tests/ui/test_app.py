@@ -107,7 +107,7 @@ def test_help_lists_every_binding_and_closes(
 
 def test_every_action_that_a_key_is_bound_to_does_something(hand: Hand) -> None:
     window = {"fullscreen", "screenshot", "help", "quit"}
-    turns = {"turn_left", "turn_right", "spin_up", "spin_down", "spin_left", "spin_right"}
+    turns = {"turn_left", "turn_right"}
     assert {binding.action for binding in BINDINGS} == window | turns | set(hand.play._keys)
 
 

@@ -163,9 +163,9 @@ def test_aiming_goes_on_beside_the_panel(hand: Hand) -> None:
     panel(hand)
     hand.app.step(0.0)
     hand.point(1.2, 1.0)
-    aim = hand.play.aim.angle
+    aim = hand.play.hands.aim.angle
     hand.point(1.2, 0.3)
-    assert hand.play.aim.angle != aim
+    assert hand.play.hands.aim.angle != aim
     hand.press()
     hand.pull(150)
     hand.release()
