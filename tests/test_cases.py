@@ -1,11 +1,9 @@
-"""Independent numbers for the cloth and the cue, each with its source in cases.json, through the engine."""
+"""Independent numbers for the cloth and the cue, through the engine; the JSON files tell their sources."""
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,26 +11,11 @@ import pytest
 from pool2d import Ball, Layout, Rollout, Shot, Table, simulate
 from pool2d.physics.strike import hop, miscue_limit
 
+from .casebook import CONTACTS, MOTIONS, near
 from .checks import energy
 from .scenes import open_table
 
-CASES: list[dict[str, Any]] = json.loads((Path(__file__).parent / "cases.json").read_text())
-USED: set[str] = set()
-Test = Callable[..., None]
-
-
-def cases(prefix: str) -> Callable[[Test], Test]:
-    """Run a test on every case whose id starts so."""
-    chosen = [case for case in CASES if case["id"].startswith(prefix)]
-    assert chosen
-    USED.update(case["id"] for case in chosen)
-    return pytest.mark.parametrize("case", chosen, ids=[case["id"] for case in chosen])
-
-
-def near(case: Mapping[str, Any], expected: Any) -> Any:
-    """The expected value, to compare with at the case's tolerance."""
-    tolerance = case["tolerance"]
-    return pytest.approx(expected, rel=tolerance.get("rel", 0.0), abs=tolerance.get("abs", 0.0))
+cases = MOTIONS.run
 
 
 def table_of(inputs: Mapping[str, Any]) -> Table:
@@ -223,5 +206,23 @@ def test_hop(case: dict[str, Any]) -> None:
     assert hop(shot, table.knobs.ball.mass, table.knobs) == near(case, tuple(expected.values()))
 
 
-def test_every_case_has_a_test() -> None:
-    assert {case["id"] for case in CASES} == USED
+@CONTACTS.run("D04")
+def test_default_tip_is_within_what_is_measured(case: dict[str, Any]) -> None:
+    expected, cue = case["expected"], open_table().knobs.cue
+    assert expected["e_leather"][0] <= cue.tip_restitution <= expected["e_leather"][1]
+    assert cue.tip_friction == expected["mu_tip"]
+
+
+@CONTACTS.run("D06")
+def test_default_miscue_limit_is_the_accepted_one(case: dict[str, Any]) -> None:
+    low, high = case["expected"]["b_over_R"]
+    assert low <= miscue_limit(open_table().knobs.cue.tip_friction) <= high
+
+
+@CONTACTS.run("D10")
+def test_measured_squirt(case: dict[str, Any]) -> None:
+    for measured in case["expected"].values():
+        table = open_table(ball__mass=0.17, cue__end_mass=0.17 / measured["m_r"])
+        ball = strike(table, Shot(side=measured["b_over_R"]))
+        angle = math.degrees(math.atan2(ball.vy, ball.vx))
+        assert angle == pytest.approx(measured["deg"], abs=case["tolerance"]["abs_deg"])

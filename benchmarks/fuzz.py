@@ -1,0 +1,207 @@
+"""Random shots that look for a fault: `python -m benchmarks.fuzz --shots 100000 --seed 0 --jobs 2`.
+
+A third of the balls are frozen to a rail or to another ball; speeds go to 12 m/s; one layout in eight
+has balls of several sizes. A shot has to end, with every number finite, no overlap above 1 nm, every ball
+on the table and no event that adds energy. Prints how to repeat each shot that fails, and a line of
+totals; the exit status is 1 where one failed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import random
+import signal
+import sys
+import time
+from collections.abc import Iterator
+from itertools import pairwise
+from multiprocessing import Pool
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pool2d import Ball, BudgetError, Layout, Rollout, Shot, Table, load_table, simulate
+from pool2d.physics.motion import Motion
+from pool2d.physics.values import POCKETED, RESTING
+
+NANOMETRE = 1e-9
+SIZES = ((None, None), (0.0255, 0.12), (0.034, 0.28))
+# A shot that computes for longer than this, s, is taken not to end.
+PATIENCE = 60
+Floats = NDArray[np.float64]
+
+
+class Result(NamedTuple):
+    """One shot: its number, what is wrong with it, how many events it took, and how long to compute."""
+
+    number: int
+    faults: list[str]
+    events: int
+    seconds: float
+
+
+def scene(table: Table, seed: str) -> tuple[Layout, Shot]:
+    """A random layout and shot."""
+    rng = random.Random(seed)
+    knobs = table.knobs.table
+    own_sizes = rng.random() < 1 / 8
+    layout = Layout()
+    for number in range(rng.randint(2, 16)):
+        radius, mass = rng.choice(SIZES) if own_sizes else SIZES[0]
+        ball = Ball(str(number) if number else "cue", 0.0, 0.0, radius=radius, mass=mass)
+        while not table.has_room(ball.x, ball.y, table.body_of(ball)[0], layout):
+            ball = ball._replace(x=rng.uniform(0.0, knobs.length), y=rng.uniform(0.0, knobs.width))
+        layout = layout.put(freeze(table, ball, layout, rng) if rng.random() < 1 / 3 else ball)
+    shot = Shot(
+        angle=toward(layout["cue"], layout, rng),
+        speed=rng.choice((rng.uniform(0.0, 12.0), 10.0 ** rng.uniform(-3.0, 1.0))),
+        side=rng.uniform(-0.5, 0.5),
+        height=rng.uniform(-0.5, 0.5),
+        elevation=rng.choice((0.0, rng.uniform(0.0, 90.0))),
+    )
+    return layout, shot
+
+
+def freeze(table: Table, ball: Ball, layout: Layout, rng: random.Random) -> Ball:
+    """The ball sent on until it touches something, unless that is a pocket."""
+    way = math.radians(toward(ball, layout, rng))
+    dx, dy = math.cos(way), math.sin(way)
+    distance, what = table.cast(ball.x, ball.y, dx, dy, layout, ball.radius, ball.id)
+    if what is None or any(pocket.name == what for pocket in table.geometry.pockets):
+        return ball
+    return ball._replace(x=ball.x + dx * distance, y=ball.y + dy * distance)
+
+
+def toward(ball: Ball, layout: Layout, rng: random.Random) -> float:
+    """Some direction, degrees; every other time nearly that of another ball."""
+    others = [other for other in layout.values() if other.id != ball.id]
+    if not others or rng.random() < 0.5:
+        return rng.uniform(-180.0, 180.0)
+    other = rng.choice(others)
+    return math.degrees(math.atan2(other.y - ball.y, other.x - ball.x)) + rng.choice((0.0, rng.gauss(0.0, 3.0)))
+
+
+def play(table: Table, seed: int, number: int) -> Result:
+    """Simulate one shot and look for faults."""
+    layout, shot = scene(table, f"{seed} {number}")
+    start = time.perf_counter()
+    try:
+        roll = simulate(table, layout, shot)
+    except (BudgetError, TimeoutError) as error:
+        return Result(number, [str(error)], 0, time.perf_counter() - start)
+    seconds = time.perf_counter() - start
+    return Result(number, list(faults(table, roll)), len(roll.events), seconds)
+
+
+def faults(table: Table, roll: Rollout) -> Iterator[str]:
+    """Whatever is wrong with a rollout, in words."""
+    if {ball.phase for ball in roll.layout().values()} - {RESTING, POCKETED}:
+        yield "not all balls are at rest"
+    for event in roll.events:
+        before, after = (energy(table, roll.start, states) for states in (event.before, event.after))
+        if event.kind != "cue_ball" and not after <= before * (1.0 + 1e-12) + 1e-15:
+            yield f"{event}: energy rises by {after - before:.3g} J, of {before:.3g} J"
+    moments = [0.0, *(event.t for event in roll.events)]
+    if moments != sorted(moments):
+        yield "time runs backward"
+    # Where things happen, and half-way between.
+    times = np.unique(np.array(moments + [0.5 * (a + b) for a, b in pairwise(moments)]))
+    names = list(roll.tracks)
+    paths = [positions(roll.tracks[name], times) for name in names]
+    for i, name in enumerate(names):
+        x, y, present = paths[i]
+        if not np.isfinite((x, y)).all():
+            yield f"{name} is nowhere"
+        yield from misplaced(table, roll.start[name], x[present], y[present])
+        for j in range(i):
+            away = np.hypot(x - paths[j][0], y - paths[j][1])[present & paths[j][2]]
+            overlap = table.touch(roll.start[name], roll.start[names[j]]) - away.min(initial=math.inf)
+            if not overlap <= NANOMETRE:
+                yield f"{name} and {names[j]} overlap by {overlap:.3g} m"
+
+
+def energy(table: Table, sizes: Layout, states: dict[str, Ball]) -> float:
+    """Of travel and spin, J."""
+    total = 0.0
+    for ball in states.values():
+        radius, mass = table.body_of(sizes[ball.id])
+        spin = ball.wx**2 + ball.wy**2 + ball.wz**2
+        total += 0.5 * mass * (ball.vx**2 + ball.vy**2 + 0.4 * radius**2 * spin)
+    return total
+
+
+def positions(track: list[Motion], times: Floats) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Where a ball is at each time, and whether it is on the table."""
+    rows = np.array([(m.t0, m.x, m.y, m.vx, m.vy, m.hx, m.hy, m.phase != POCKETED) for m in track])
+    t0, x, y, vx, vy, hx, hy, present = rows[np.searchsorted(rows[:, 0], times, side="right") - 1].T
+    s = times - t0
+    return x + (vx + hx * s) * s, y + (vy + hy * s) * s, present > 0.0
+
+
+def misplaced(table: Table, ball: Ball, x: Floats, y: Floats) -> Iterator[str]:
+    """Where a ball is off the table or in a cushion. Between the noses it cannot be: only beyond is looked at."""
+    radius = table.body_of(ball)[0]
+    inset, knobs = table.reach(radius) - NANOMETRE, table.knobs.table
+    beyond = (x < inset) | (x > knobs.length - inset) | (y < inset) | (y > knobs.width - inset)
+    for px, py in zip(x[beyond].tolist(), y[beyond].tolist(), strict=True):
+        gap, element = table.element_gap(px, py, radius)
+        if not table.on_cloth(px, py):
+            yield f"{ball.id} is off the table, at {px}, {py}"
+        elif element is not None and element.kind == "ball_cushion" and gap < -NANOMETRE:
+            yield f"{ball.id} is {-gap:.3g} m inside {element.name}"
+
+
+class _Worker:
+    """What each process keeps: its own table, for a Space must stay within one."""
+
+    table: Table
+    seed: int
+
+    @classmethod
+    def prepare(cls, table: str, seed: int) -> None:
+        cls.table, cls.seed = load_table(table), seed
+        signal.signal(signal.SIGALRM, _give_up)
+
+    @classmethod
+    def play(cls, number: int) -> Result:
+        signal.alarm(PATIENCE)
+        try:
+            return play(cls.table, cls.seed, number)
+        finally:
+            signal.alarm(0)
+
+
+def _give_up(number: int, frame: object) -> None:
+    raise TimeoutError(f"still computing after {PATIENCE} s")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--shots", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--first", type=int, default=0, help="number of the first shot")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--table", default="pool-9ft")
+    options = parser.parse_args()
+    numbers = range(options.first, options.first + options.shots)
+    begun = time.perf_counter()
+    events, failed, slowest = 0, 0, Result(0, [], 0, 0.0)
+    with Pool(options.jobs, _Worker.prepare, (options.table, options.seed)) as pool:
+        for result in pool.imap_unordered(_Worker.play, numbers, chunksize=8):
+            events += result.events
+            slowest = max(slowest, result, key=lambda one: one.seconds)
+            if result.faults:
+                failed += 1
+                again = f"--seed {options.seed} --first {result.number} --shots 1"
+                print(f"{again}: {'; '.join(result.faults[:3])}", flush=True)
+    print(
+        f"{options.shots} shots, {failed} failed, {events} events, {time.perf_counter() - begun:.0f} s; the slowest,"
+        f" number {slowest.number}, took {slowest.seconds:.2f} s and {slowest.events} events"
+    )
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
