@@ -51,7 +51,7 @@ def _play(arguments: argparse.Namespace) -> int:
 
 def _simulate(arguments: argparse.Namespace) -> int:
     overrides = _overrides(arguments.set)
-    limit = None if arguments.events is None else int(_number(_EVENTS, arguments.events, "--events"))
+    limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
     for path in arguments.files:
         rollout = load_scenario(path, overrides).simulate(limit)
@@ -135,6 +135,13 @@ def _number(knob: Knob, text: str, name: str) -> float:
     except ValueError:
         number = text
     return float(knob.check(number, "pool2d", name))
+
+
+def _whole(knob: Knob, text: str, name: str) -> int:
+    number = _number(knob, text, name)
+    if not number.is_integer():
+        raise InputError("pool2d", name, text, f"allowed is a whole number; {knob.allowed()}")
+    return int(number)
 
 
 def _as_dict(rollout: Rollout, step: float | None) -> dict[str, Any]:

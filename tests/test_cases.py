@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, Table, simulate
-from pool2d.physics.contact import hop, miscue_limit
+from pool2d.physics.strike import hop, miscue_limit
 
 from .checks import energy
 from .scenes import open_table

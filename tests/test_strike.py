@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 
 from pool2d import Ball, InputError, Layout, Shot, load_table, simulate
-from pool2d.physics.contact import miscue_limit
-from pool2d.physics.contact import strike as strike_law
 from pool2d.physics.motion import Body
 from pool2d.physics.params import Cue
+from pool2d.physics.strike import miscue_limit
+from pool2d.physics.strike import strike as strike_law
 
 from .plays import between, shots
 from .scenes import open_table

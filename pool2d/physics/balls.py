@@ -66,12 +66,16 @@ def push(a: Body, b: Body, n: Vector, along: float, fx: float, fy: float, fz: fl
 def _collide(a: Body, b: Body, physics: Physics, friction: Friction) -> None:
     """P = j (n - f v_s / |v_s|): j from restitution, friction no more than what stops the slip."""
     n = normal(a, b)
-    approach = (a.vx - b.vx) * n[0] + (a.vy - b.vy) * n[1]
+    nx, ny, nz = n
+    approach = (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
     if approach <= 0.0:
         return
-    ease = 1.0 / a.mass + 1.0 / b.mass
-    along = (approach + rebound(approach, physics.ball.restitution)) / ((1.0 - n[2] * n[2]) * ease)
+    ease, flat = 1.0 / a.mass + 1.0 / b.mass, 1.0 - nz * nz
+    along = (approach + rebound(approach, physics.ball.restitution)) / (flat * ease)
     sx, sy, sz = slip(a, b, n, approach)
+    # A tilted push changes the slip; friction answers to what it leaves, or it might drive the balls.
+    tilt = along * ease * nz
+    sx, sy, sz = sx - tilt * nx * nz, sy - tilt * ny * nz, sz + tilt * flat
     size = math.sqrt(sx * sx + sy * sy + sz * sz)
     rub = 0.0 if size == 0.0 else -min(friction(size, physics) * along, size / (3.5 * ease)) / size
     push(a, b, n, along, rub * sx, rub * sy, rub * sz)
@@ -123,14 +127,16 @@ def mathavan2014(a: Body, b: Body, physics: Physics) -> None:
     mu, cloth = constant(0.0, physics), physics.cloth.mu_slide
     work = given = 0.0
     nearing = True
-    while nearing or given < restitution * restitution * work:
+    # To twelve digits: rounding may keep the last from ever being given.
+    back = restitution * restitution
+    while nearing or given < (1.0 - 1e-12) * back * work:
         closing = (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
         part = step
         if nearing:
             part = min(step, max(closing, 1e-6 * approach) / ease)
         else:
             # What is left to give back is (-closing + ease part / 2) part.
-            left = restitution * restitution * work - given
+            left = back * work - given
             part = min(step, 2.0 * left / (math.sqrt(closing * closing + 2.0 * ease * left) - closing))
         sx, sy, sz = slip(a, b, n, closing)
         size = math.sqrt(sx * sx + sy * sy + sz * sz)

@@ -25,6 +25,8 @@ CushionLaw = Callable[["Body", float, float, "Physics"], None]
 STEPS = 16
 # A slip below this part of the approach speed has ended: the surfaces grip.
 GRIP = 0.001
+# Many times the steps that a contact takes which does not jam.
+_ENOUGH = 20
 
 
 def impulse(ball: Body, nx: float, ny: float, physics: Physics) -> None:
@@ -68,7 +70,11 @@ def _kick(ball: Body, nx: float, ny: float, push: float, sin: float, cos: float,
 
 
 def _give(ball: Body, nx: float, ny: float, vx: float, vy: float, qx: float, qy: float, qz: float) -> None:
-    """Set a ball's velocity and spin (times its radius) from the frame of the contact."""
+    """Set a ball's velocity and spin (times its radius) from the frame of the contact.
+
+    A ball that a model leaves in the cushion, jammed by friction or without restitution, is let go gently.
+    """
+    vy = min(vy, -0.1 * rebound(ball.vx * nx + ball.vy * ny, 0.0))
     ball.vx, ball.vy = vx * ny + vy * nx, vy * ny - vx * nx
     ball.wx, ball.wy = (qx * ny + qy * nx) / ball.radius, (qy * ny - qx * nx) / ball.radius
     ball.wz = qz / ball.radius
@@ -95,23 +101,29 @@ def mathavan2010(ball: Body, nx: float, ny: float, physics: Physics) -> None:
     )  # fmt: skip
     step = approach / (cos * STEPS)
     work = 0.0
-    while state[1] > 0.0:
+    for _ in range(_ENOUGH * STEPS):
         rate, part = _middle(state, contact, step)
         last = state[1] + part * rate[1] <= 0.0
         part = -state[1] / rate[1] if last else part
         after = _moved(state, rate, part)
         work += 0.5 * (state[1] + after[1]) * cos * part
-        state = (after[0], 0.0, *after[2:]) if last else after
+        state = after
+        if last:
+            break
     work *= restitution * restitution
-    while work > 0.0:
+    for _ in range(_ENOUGH * STEPS):
         rate, part = _middle(state, contact, step)
         # Within a step the cushion gives back (-vY + |vY'| part / 2) cos part.
         out, gain = -state[1], -rate[1]
-        whole = 2.0 * work / cos / (out + math.sqrt(out * out + 2.0 * gain * work / cos))
+        square = out * out + 2.0 * gain * work / cos
+        reach = out + math.sqrt(square) if square > 0.0 else 0.0
+        whole = 2.0 * work / cos / reach if reach > 0.0 else math.inf
         last = whole <= part
         part = whole if last else part
-        work = 0.0 if last else work - (out + 0.5 * gain * part) * cos * part
+        work -= (out + 0.5 * gain * part) * cos * part
         state = _moved(state, rate, part)
+        if last:
+            break
     _give(ball, nx, ny, *state)
 
 

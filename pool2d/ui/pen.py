@@ -43,23 +43,29 @@ def polygon(surface: pygame.Surface, color: Color, points: Sequence[Point]) -> N
 
 def disc(surface: pygame.Surface, color: Color, centre: Point, radius: float) -> None:
     """A filled circle."""
-    ring(surface, color, centre, radius / 2.0, radius)
+    _annulus(surface, color, centre, radius, 0.0)
 
 
 def ring(surface: pygame.Surface, color: Color, centre: Point, radius: float, width: float = 1.5) -> None:
     """A circle's line, half of its width to either side of the radius."""
+    _annulus(surface, color, centre, radius + width / 2.0, radius - width / 2.0)
+
+
+def _annulus(surface: pygame.Surface, color: Color, centre: Point, outer: float, inner: float) -> None:
     x, y = round(centre[0] * _STEPS), round(centre[1] * _STEPS)
-    image = _ring(color, round(radius, 1), round(width, 1), x % _STEPS, y % _STEPS)
+    image = _picture(color, round(outer, 1), round(max(0.0, inner), 1), x % _STEPS, y % _STEPS)
     half = image.get_width() // 2
     surface.blit(image, (x // _STEPS - half, y // _STEPS - half))
 
 
 @lru_cache(maxsize=512)
-def _ring(color: Color, radius: float, width: float, step_x: int, step_y: int) -> pygame.Surface:
-    half = math.ceil(radius + width / 2.0) + 2
+def _picture(color: Color, outer: float, inner: float, step_x: int, step_y: int) -> pygame.Surface:
+    half = math.ceil(outer) + 2
     across = np.arange(-half, half + 1, dtype=np.float64)
     distance = np.hypot(across[:, None] - step_x / _STEPS, across[None, :] - step_y / _STEPS)
-    cover = np.clip(width / 2.0 + 0.5 - np.abs(distance - radius), 0.0, 1.0)
+    cover = np.clip(outer + 0.5 - distance, 0.0, 1.0)
+    if inner > 0.0:
+        cover -= np.clip(inner + 0.5 - distance, 0.0, 1.0)
     image = pygame.Surface((2 * half + 1, 2 * half + 1), pygame.SRCALPHA)
     image.fill(color)
     alpha = color[3] if len(color) == 4 else 255

@@ -20,6 +20,8 @@ from pool2d.ui.play import Play
 
 FRAME = 1.0 / 60.0
 
+pygame.font.init()
+
 
 class Hand:
     """Moves the mouse and presses keys of an app, a frame after each."""

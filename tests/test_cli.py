@@ -1,0 +1,233 @@
+"""The command line: what `simulate` prints, and how it says no."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pool2d import __version__, load_scenario, simulate
+from pool2d.cli import main
+
+PLAY = """
+[[balls]]
+id = "cue"
+x = 0.635
+y = 0.635
+[[balls]]
+id = "1"
+x = 1.905
+y = 0.635
+[shot]
+angle = -1.0
+speed = 3.0
+side = 0.2
+"""
+STATE = {"x", "y", "vx", "vy", "wx", "wy", "wz", "phase"}
+Capture = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def play(tmp_path: Path) -> str:
+    path = tmp_path / "play.toml"
+    path.write_text(PLAY)
+    return str(path)
+
+
+def answer(capsys: Capture, *words: str) -> list[dict[str, Any]]:
+    """The objects that `simulate --json` prints."""
+    assert main(["simulate", "--json", *words]) == 0
+    told = capsys.readouterr()
+    assert told.err == ""
+    return [json.loads(line, parse_constant=pytest.fail) for line in told.out.splitlines()]
+
+
+def refusal(capsys: Capture, *words: str) -> str:
+    """The one line that bad input gets."""
+    assert main(list(words)) == 2
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err.endswith("\n")
+    line = told.err[:-1]
+    assert line.isprintable()
+    return line
+
+
+def test_json_tells_the_whole_rollout(play: str, capsys: Capture) -> None:
+    (told,) = answer(capsys, play)
+    assert told.keys() == {"duration", "balls", "events"}
+    roll = load_scenario(play).simulate()
+    assert told["duration"] == roll.duration > 1.0
+    assert told["balls"].keys() == {"cue", "1"}
+    for name, state in told["balls"].items():
+        assert state.keys() == STATE
+        assert (state["x"], state["y"]) == (roll.layout()[name].x, roll.layout()[name].y)
+        assert state["phase"] in ("resting", "pocketed")
+    kinds = [event["kind"] for event in told["events"]]
+    assert kinds[0] == "cue_ball"
+    assert {"ball_ball", "ball_cushion", "sliding_rolling", "rolling_resting"} <= set(kinds)
+    for event in told["events"]:
+        assert event.keys() == {"t", "kind", "balls", "where", "before", "after"}
+        assert event["before"].keys() == event["after"].keys() == set(event["balls"])
+        for state in (*event["before"].values(), *event["after"].values()):
+            assert state.keys() == STATE
+            assert state["phase"] in ("resting", "spinning", "rolling", "sliding", "pocketed")
+        assert (event["where"] is None) == (event["kind"] not in ("ball_cushion", "ball_pocket"))
+
+
+def test_sample_adds_each_balls_path(play: str, capsys: Capture) -> None:
+    (told,) = answer(capsys, play, "--sample", "0.1")
+    assert told["path"].keys() == {"cue", "1"}
+    for name, path in told["path"].items():
+        assert len(path) == math.ceil(told["duration"] / 0.1) + 1
+        assert [row[0] for row in path[:-1]] == pytest.approx([0.1 * i for i in range(len(path) - 1)])
+        assert path[-1] == [told["duration"], told["balls"][name]["x"], told["balls"][name]["y"]]
+    assert told["path"]["cue"][0] == [0.0, 0.635, 0.635]
+
+
+def test_set_overrides_knobs(play: str, capsys: Capture) -> None:
+    (plain,) = answer(capsys, play)
+    (slow,) = answer(capsys, play, "--set", "cloth.mu_roll=0.05")
+    (same,) = answer(capsys, play, "--set", "cloth.mu_roll=0.01", "--set", "gravity=9.81")
+    assert slow["duration"] < plain["duration"]
+    assert same["duration"] == plain["duration"]
+
+
+def test_events_cuts_short(play: str, capsys: Capture) -> None:
+    (whole,) = answer(capsys, play)
+    (part,) = answer(capsys, play, "--events", "3")
+    assert part["truncated"] is True
+    assert part["events"] == whole["events"][:3]
+    assert part["duration"] == part["events"][-1]["t"]
+    (all_of_it,) = answer(capsys, play, "--events", str(len(whole["events"])))
+    assert all_of_it == whole
+
+
+def test_several_files_give_a_line_each_in_order(play: str, tmp_path: Path, capsys: Capture) -> None:
+    other = tmp_path / "other.json"
+    other.write_text('{"balls": [{"id": "9", "x": 1.0, "y": 0.6}]}')
+    first, second, third = answer(capsys, str(other), play, str(other))
+    assert first == third == {
+        "duration": 0.0,
+        "balls": {"9": {"x": 1.0, "y": 0.6, "vx": 0.0, "vy": 0.0, "wx": 0.0, "wy": 0.0, "wz": 0.0, "phase": "resting"}},
+        "events": [],
+    }  # fmt: skip
+    assert second["balls"].keys() == {"cue", "1"}
+
+
+def test_without_json_it_tells_people(play: str, capsys: Capture) -> None:
+    assert main(["simulate", play, "--sample", "1"]) == 0
+    told = capsys.readouterr().out
+    assert told.startswith(f"{play}: ")
+    for word in ("cue_ball", "ball_ball", "ball_cushion", "rolling_resting", "resting", " t "):
+        assert word in told
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (None, "cannot be read: No such file or directory"),
+        ("x = = 1", "not a TOML file: "),
+        ("balz = 1", "balz = 1: unknown; did you mean balls?"),
+        (PLAY.replace("speed", "sped"), "shot.sped = 3.0: unknown; did you mean speed?"),
+        (PLAY.replace("3.0", "300"), "shot.speed = 300: allowed is a number from 0 to 50 m/s"),
+        (PLAY.replace("3.0", "nan"), "shot.speed = nan: allowed is a number from 0 to 50 m/s"),
+        (PLAY.replace("0.635", "inf"), "balls[0].x = inf: allowed is a number from -100 to 100 m"),
+        (PLAY.replace("0.2", "'left'"), "shot.side = 'left': allowed is a number"),
+        (PLAY.replace("0.2", "1.5"), "shot.side = 1.5: allowed is a number from -1 to 1"),
+        (PLAY.replace("0.2", "0.9\nheight = 0.9"), "shot.side, shot.height = (0.9, 0.9): the tip is off the ball"),
+        (PLAY.replace("1.905", "0.64"), "balls.cue, balls.1 = (0.635, 0.635): the balls overlap by 0.05"),
+        (PLAY.replace("1.905", "9.0"), "balls.1.x, y = (9.0, 0.635): the ball is off the table"),
+        (PLAY.replace('"1"', '"cue"'), "balls[1].id = 'cue': another ball has this id"),
+        (PLAY.replace("[shot]", '[shot]\nball = "7"'), "shot.ball = '7': unknown; known are 1, cue"),
+        ('table = "pool-9"\n' + PLAY, "table = 'pool-9': unknown; did you mean pool-9ft?"),
+        ('set = { "cloth.mu_slid" = 1 }\n' + PLAY, "cloth.mu_slid = 1: unknown; did you mean cloth.mu_slide?"),
+    ],
+)
+def test_bad_files_are_one_line(tmp_path: Path, capsys: Capture, text: str | None, words: str) -> None:
+    path = tmp_path / "bad.toml"
+    if text is not None:
+        path.write_text(text)
+    assert refusal(capsys, "simulate", "--json", str(path)).startswith(f"pool2d: {path}: {words}")
+
+
+def test_other_things_than_files_are_one_line(tmp_path: Path, capsys: Capture) -> None:
+    folder = tmp_path / "folder.json"
+    folder.mkdir()
+    assert refusal(capsys, "simulate", str(folder)) == f"pool2d: {folder}: cannot be read: Is a directory"
+    broken = tmp_path / "broken.json"
+    broken.write_text("{")
+    assert refusal(capsys, "simulate", str(broken)).startswith(f"pool2d: {broken}: not a JSON file: ")
+    nothing = tmp_path / "nothing.json"
+    nothing.symlink_to(nothing)
+    assert refusal(capsys, "simulate", str(nothing)).startswith(f"pool2d: {nothing}: cannot be read: ")
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (["--set", "cloth.mu_rol=1"], "--set: cloth.mu_rol = 1.0: unknown; did you mean cloth.mu_roll?"),
+        (["--set", "cloth.mu_roll=9"], "--set: cloth.mu_roll = 9.0: allowed is a number from 0.001 to 0.2"),
+        (["--set", "cloth.mu_roll=nan"], "--set: cloth.mu_roll = nan: allowed is a number"),
+        (["--set", "cloth.mu_roll=x"], "--set: cloth.mu_roll = 'x': allowed is a number"),
+        (["--set", "cloth.mu_roll"], "--set: cloth.mu_roll = None: allowed is NAME=VALUE"),
+        (["--set", "ball.law=hard"], "--set: ball.law = 'hard': allowed is one of "),
+        (["--set", "ball.law=1"], "--set: ball.law = 1.0: allowed is one of "),
+        (["--events", "0"], "pool2d: --events = 0.0: allowed is a number from 1"),
+        (["--events", "2.5"], "pool2d: --events = '2.5': allowed is a whole number"),
+        (["--events", "many"], "pool2d: --events = 'many': allowed is a number"),
+        (["--sample", "0"], "pool2d: --sample = 0.0: allowed is a number"),
+        (["--sample", "inf"], "pool2d: --sample = inf: allowed is a number"),
+        (["--sample"], "pool2d simulate: argument --sample: expected one argument"),
+        (["--wat\nnot"], "pool2d: unrecognized arguments: --wat"),
+    ],
+)
+def test_bad_options_are_one_line(play: str, capsys: Capture, words: list[str], line: str) -> None:
+    assert refusal(capsys, "simulate", play, *words).startswith(f"pool2d: {line}")
+
+
+@pytest.mark.parametrize("words", [["simulate"], ["wat"], ["render", "only-one"]])
+def test_bad_commands_are_one_line(capsys: Capture, words: list[str]) -> None:
+    assert refusal(capsys, *words).startswith("pool2d: pool2d")
+
+
+def test_good_files_before_a_bad_one_are_told(play: str, tmp_path: Path, capsys: Capture) -> None:
+    assert main(["simulate", "--json", play, str(tmp_path / "none.toml"), play]) == 2
+    told = capsys.readouterr()
+    assert len(told.out.splitlines()) == len(told.err.splitlines()) == 1
+
+
+def test_shot_that_does_not_end_is_one_line(play: str, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pool2d.scenario.simulate", partial(simulate, budget=4))
+    line = refusal(capsys, "simulate", play)
+    assert line.startswith("pool2d: the shot is not over after 4 events")
+    assert json.loads(line.partition("the scenario is ")[2])["shot"]["speed"] == 3.0
+
+
+@pytest.mark.parametrize("word", ["--version", "--help"])
+def test_version_and_help(capsys: Capture, word: str) -> None:
+    with pytest.raises(SystemExit) as left:
+        main([word])
+    assert left.value.code == 0
+    assert (__version__ if word == "--version" else "simulate") in capsys.readouterr().out
+
+
+def run(*words: str) -> subprocess.CompletedProcess[str]:
+    root = Path(__file__).resolve().parent.parent
+    return subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=root, check=False, timeout=60)
+
+
+def test_it_is_a_program(play: str) -> None:
+    """Through a fresh process, both ways in."""
+    for way in (["-m", "pool2d"], ["main.py"]):
+        good = run(*way, "simulate", play, "--json")
+        assert (good.returncode, good.stderr) == (0, "")
+        assert json.loads(good.stdout)["duration"] > 1.0
+    bad = run("-m", "pool2d", "simulate", play + "x")
+    assert (bad.returncode, bad.stdout, len(bad.stderr.splitlines())) == (2, "", 1)
