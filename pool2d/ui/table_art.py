@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pygame
 
-from ..geometry import Point
+from ..outline import Point
 from ..table import Table
 from . import theme
 from .view import FRAME, View
