@@ -1,4 +1,4 @@
-"""The command line: play | simulate | render."""
+"""The command line: play | simulate | render | tables."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _play(arguments: argparse.Namespace) -> int:
     from .ui.app import play
 
-    overrides = _overrides(arguments.set)
-    return play(load_table(arguments.table, overrides), seed=arguments.seed, frames=arguments.frames)
+    table = load_table(arguments.table, _overrides(arguments.set), _conditions(arguments))
+    return play(table, seed=arguments.seed, frames=arguments.frames)
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
@@ -54,7 +54,7 @@ def _simulate(arguments: argparse.Namespace) -> int:
     limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
     for path in arguments.files:
-        rollout = load_scenario(path, overrides).simulate(limit)
+        rollout = load_scenario(path, overrides, _conditions(arguments)).simulate(limit)
         if arguments.json:
             print(json.dumps(_as_dict(rollout, step)), flush=True)
         else:
@@ -68,8 +68,23 @@ def _render(arguments: argparse.Namespace) -> int:
     width, _, height = arguments.size.partition("x")
     size = Knob(0, 64, 8192, "pixels", "")
     numbers = (int(_number(size, width, "--size")), int(_number(size, height, "--size")))
-    render(load_scenario(arguments.file, _overrides(arguments.set)), Path(arguments.out), numbers)
+    scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
+    render(scenario, Path(arguments.out), numbers)
     return 0
+
+
+def _tables(arguments: argparse.Namespace) -> int:
+    from . import tables
+
+    if arguments.knobs:
+        return tables.tell_knobs()
+    if arguments.check:
+        return tables.check(arguments.check)
+    if arguments.new:
+        return tables.new(Path(arguments.new), arguments.base)
+    if arguments.name:
+        return tables.tell(arguments.name, _overrides(arguments.set), _conditions(arguments))
+    return tables.tell_all()
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -87,6 +102,7 @@ def _parser() -> argparse.ArgumentParser:
             metavar="NAME=VALUE",
             help="override a knob: cloth.mu_roll=0.012",
         )
+        sub.add_argument("--conditions", default="", metavar="NAMES", help="lay over the table: heated,dirty-balls")
         return sub
 
     play = command("play", _play, "Open a window and play (also without a command).")
@@ -104,6 +120,13 @@ def _parser() -> argparse.ArgumentParser:
     render.add_argument("file", metavar="FILE", help="a scenario, .toml or .json")
     render.add_argument("out", metavar="OUT.png", help="the picture to write")
     render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
+
+    tables = command("tables", _tables, "List the tables, show one, check files, or start a table of your own.")
+    tables.add_argument("name", nargs="?", metavar="NAME", help="show this one: every knob, and where it comes from")
+    tables.add_argument("--knobs", action="store_true", help="print every knob: name, default, range, unit, text")
+    tables.add_argument("--check", nargs="+", metavar="FILE", help="say what is wrong with preset files")
+    tables.add_argument("--new", metavar="FILE.toml", help="write a preset to start from; replaces nothing")
+    tables.add_argument("--base", default="pool-9ft", metavar="NAME", help="what it starts from (pool-9ft)")
     return parser
 
 
@@ -127,6 +150,11 @@ def _overrides(settings: list[str]) -> dict[str, Any]:
             overrides[name.strip()] = text.strip()
     apply(Knobs(), overrides, "--set")
     return overrides
+
+
+def _conditions(arguments: argparse.Namespace) -> list[str]:
+    """`--conditions A,B` as names."""
+    return [name.strip() for name in arguments.conditions.split(",") if name.strip()]
 
 
 def _number(knob: Knob, text: str, name: str) -> float:

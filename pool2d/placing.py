@@ -68,7 +68,7 @@ def _check(table: Table, ball: Ball) -> None:
         knobs, reach = table.knobs.table, table.reach(radius)
         allowed = (
             f"the ball is off the table; allowed is x from {reach:.4f} to {knobs.length - reach:.4f} m"
-            f" and y from {reach:.4f} to {knobs.width - reach:.4f} m"
+            f" and y from {reach:.4f} to {knobs.width - reach:.4f} m, within the outline"
         )
         raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
     gap, element = table.element_gap(ball.x, ball.y, radius)

@@ -28,14 +28,14 @@ class Session:
     """The balls on a table and what was done to them.
 
     `position` is the present one. `play`, `place` and `rack` go on, `undo` goes back to before the last
-    shot or rack.
+    shot or rack. Without a name, the rack is the table's first.
     """
 
-    def __init__(self, table: Table, rack: str = "eight-ball", seed: int = 0) -> None:
+    def __init__(self, table: Table, rack: str = "", seed: int = 0) -> None:
         self.table = table
-        self.rack_name = rack
+        self.rack_name = rack or next(iter(table.furniture.racks))
         self.seed = seed
-        self.position = Position(table.rack(rack, seed))
+        self.position = Position(table.rack(self.rack_name, seed))
         self._past: list[Position] = []
 
     @property
@@ -75,10 +75,8 @@ class Session:
 
     def may_place(self, x: float, y: float) -> bool:
         """Whether the cue ball has room here, its centre on the playing surface."""
-        size = self.table.knobs.table
         radius = self.table.body_of(self.cue)[0]
-        inside = 0.0 < x < size.length and 0.0 < y < size.width
-        return inside and self.table.has_room(x, y, radius, self.layout, ignore=self.cue.id)
+        return self.table.on_surface(x, y) and self.table.has_room(x, y, radius, self.layout, ignore=self.cue.id)
 
     def place(self, x: float, y: float) -> bool:
         """Put a cue ball in hand on the table; False, and nothing done, where it has no room."""

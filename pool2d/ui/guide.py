@@ -93,7 +93,8 @@ def draw_whole(
             _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.2 * scale)
             if ball.phase != POCKETED:
                 radius = table.body_of(ball)[0] * view.scale
-                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, faint=True)
+                look = table.furniture.looks.get(ball.id)
+                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look)
 
 
 def _sampled(motion: Motion, start: float, end: float) -> Line:

@@ -45,7 +45,8 @@ class Stage:
             self.ball(surface, ball)
 
     def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
-        ball_art.draw(surface, ball.id, self.view.to_screen(ball.x, ball.y), self._radius(ball), faint)
+        look = self.table.furniture.looks.get(ball.id)
+        ball_art.draw(surface, ball.id, self.view.to_screen(ball.x, ball.y), self._radius(ball), faint, look)
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
         """Draw a ball held over the table, ringed by whether it has room there."""
