@@ -17,7 +17,7 @@ import time
 from collections.abc import Iterator
 from itertools import pairwise
 from multiprocessing import Pool
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -160,8 +160,8 @@ class _Worker:
     seed: int
 
     @classmethod
-    def prepare(cls, table: str, seed: int) -> None:
-        cls.table, cls.seed = load_table(table), seed
+    def prepare(cls, source: str, overrides: dict[str, Any], seed: int) -> None:
+        cls.table, cls.seed = load_table(source, overrides), seed
         signal.signal(signal.SIGALRM, _give_up)
 
     @classmethod
@@ -177,6 +177,14 @@ def _give_up(number: int, frame: object) -> None:
     raise TimeoutError(f"still computing after {PATIENCE} s")
 
 
+def _override(setting: str) -> tuple[str, float | str]:
+    name, _, text = setting.partition("=")
+    try:
+        return name, float(text)
+    except ValueError:
+        return name, text
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--shots", type=int, default=1000)
@@ -184,11 +192,14 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, help="number of the first shot")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--table", default="pool-9ft")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="override a knob")
     options = parser.parse_args()
+    overrides = dict(map(_override, options.set))
+    load_table(options.table, overrides)  # Says what is wrong with it before there are processes.
     numbers = range(options.first, options.first + options.shots)
     begun = time.perf_counter()
     events, failed, slowest = 0, 0, Result(0, [], 0, 0.0)
-    with Pool(options.jobs, _Worker.prepare, (options.table, options.seed)) as pool:
+    with Pool(options.jobs, _Worker.prepare, (options.table, overrides, options.seed)) as pool:
         for result in pool.imap_unordered(_Worker.play, numbers, chunksize=8):
             events += result.events
             slowest = max(slowest, result, key=lambda one: one.seconds)
