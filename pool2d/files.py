@@ -18,6 +18,8 @@ from .errors import InputError
 
 # Far more than any preset or scenario takes; reading stops there.
 _LARGEST = 1 << 20
+# A dotted key with so many parts is no preset's, and tomllib takes time that grows with their square.
+_LONG_KEY = re.compile(rb"""(?<![\w"'.-])(?:[\w"'-]++\s*+\.\s*+){200}""")
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -30,6 +32,8 @@ def read_toml(path: Path) -> dict[str, Any]:
             content = file.read(_LARGEST + 1)
         if len(content) > _LARGEST:
             raise InputError(str(path), "", None, f"too large; allowed are {_LARGEST >> 20} MiB")
+        if _LONG_KEY.search(content):
+            raise InputError(str(path), "", None, "not a TOML file: a key has too many parts")
         return tomllib.loads(content.decode("utf-8"))
     except OSError as error:
         raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
