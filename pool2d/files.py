@@ -61,28 +61,25 @@ def write_text(path: Path, text: str, new: bool = False) -> None:
         finally:
             with contextlib.suppress(OSError):
                 os.unlink(draft)
-    except FileExistsError as error:
-        raise InputError(str(path), "", None, "is there already; nothing was written") from error
     except OSError as error:
         raise InputError(str(path), "", None, f"cannot be written: {error.strerror}") from error
+    except InputError:
+        raise
     except ValueError as error:
         raise InputError(str(path), "", None, f"cannot be written: {error}") from error
 
 
 def _put(draft: str, path: Path, new: bool) -> None:
     """Give a finished draft its name."""
-    if not new:
-        os.replace(draft, path)
-        return
-    try:
-        os.link(draft, path)
-    except FileExistsError:
-        raise
-    except OSError:
-        # A disk without links: look first.
-        if path.exists():
-            raise FileExistsError(str(path)) from None
-        os.replace(draft, path)
+    if new:
+        try:
+            os.link(draft, path)
+            return
+        except OSError as error:
+            # Not every disk has links; where it has none, look first.
+            if isinstance(error, FileExistsError) or path.exists():
+                raise InputError(str(path), "", None, "is there already; nothing was written") from error
+    os.replace(draft, path)
 
 
 def to_toml(data: Mapping[str, Any]) -> str:

@@ -61,7 +61,8 @@ BAD = [
     ("[ball]\nlaw = 1", "ball.law = 1: allowed is one of "),
     # Sizes that go against each other.
     ("[corner]\nmouth = 0.3\ndrop_radius = 0.2\n[table]\nwidth = 0.4", "no right cushion between them"),
-    ("[side]\nmouth = 0.3\ndrop_radius = 0.2\n[corner]\nmouth = 0.15\n[table]\nlength = 0.5", "no bottom-left cushion between them"),
+    ("[side]\nmouth = 0.28\ndrop_radius = 0.2\n[corner]\nmouth = 0.2\ndrop_radius = 0.1\n[table]\nlength = 0.5",
+     "no bottom-left cushion between them"),
     ("[corner]\ndrop_radius = 0.02", "corner.drop_radius = 0.02: a ball could pass beside the hole; allowed is 0.0"),
     ("[side]\nangle = 160", "side.angle = 160.0: the facings do not lead into the pocket"),
     ("[corner]\nangle = 170\nshelf = 0.2", "corner.angle = 170.0: the facings meet before the pocket's drop"),
