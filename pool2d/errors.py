@@ -19,7 +19,8 @@ class InputError(ValueError):
         self.key = key
         self.value = value
         self.allowed = allowed
-        super().__init__(_line(f"{source}: {key} = {_short(value)}: {allowed}" if key else f"{source}: {allowed}"))
+        said = f"{source}: {_clipped(key, 100)} = {_clipped(_repr(value), 60)}: {allowed}"
+        super().__init__(_line(said if key else f"{source}: {allowed}"))
 
     def at(self, source: str) -> InputError:
         """The same complaint, said of another source."""
@@ -53,6 +54,12 @@ def _line(text: str) -> str:
     return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
 
 
-def _short(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
+def _repr(value: object) -> str:
+    try:
+        return repr(value)
+    except RecursionError:
+        return "(nested too deep)"
+
+
+def _clipped(text: str, most: int) -> str:
+    return text if len(text) <= most else text[: most - 3] + "..."

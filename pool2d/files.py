@@ -18,6 +18,8 @@ from .errors import InputError
 
 # Far more than any preset or scenario takes; reading stops there.
 _LARGEST = 1 << 20
+# A dotted key with so many parts is no preset's, and tomllib takes time that grows with their square.
+_LONG_KEY = re.compile(rb"""(?<![\w"'.-])(?:[\w"'-]++\s*+\.\s*+){200}""")
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -30,6 +32,8 @@ def read_toml(path: Path) -> dict[str, Any]:
             content = file.read(_LARGEST + 1)
         if len(content) > _LARGEST:
             raise InputError(str(path), "", None, f"too large; allowed are {_LARGEST >> 20} MiB")
+        if _LONG_KEY.search(content):
+            raise InputError(str(path), "", None, "not a TOML file: a key has too many parts")
         return tomllib.loads(content.decode("utf-8"))
     except OSError as error:
         raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
@@ -57,28 +61,25 @@ def write_text(path: Path, text: str, new: bool = False) -> None:
         finally:
             with contextlib.suppress(OSError):
                 os.unlink(draft)
-    except FileExistsError as error:
-        raise InputError(str(path), "", None, "is there already; nothing was written") from error
     except OSError as error:
         raise InputError(str(path), "", None, f"cannot be written: {error.strerror}") from error
+    except InputError:
+        raise
     except ValueError as error:
         raise InputError(str(path), "", None, f"cannot be written: {error}") from error
 
 
 def _put(draft: str, path: Path, new: bool) -> None:
     """Give a finished draft its name."""
-    if not new:
-        os.replace(draft, path)
-        return
-    try:
-        os.link(draft, path)
-    except FileExistsError:
-        raise
-    except OSError:
-        # A disk without links: look first.
-        if path.exists():
-            raise FileExistsError(str(path)) from None
-        os.replace(draft, path)
+    if new:
+        try:
+            os.link(draft, path)
+            return
+        except OSError as error:
+            # Not every disk has links; where it has none, look first.
+            if isinstance(error, FileExistsError) or path.exists():
+                raise InputError(str(path), "", None, "is there already; nothing was written") from error
+    os.replace(draft, path)
 
 
 def to_toml(data: Mapping[str, Any]) -> str:

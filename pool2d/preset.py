@@ -61,6 +61,12 @@ def preset_path(name: str) -> Path:
     return library.find(library.TABLES, name)
 
 
+def preset_files(table: Table) -> list[Path]:
+    """The files that a table was read from: its preset, the bases, the conditions."""
+    bases = [preset_path(source) for source, _ in _chain(table.source)]
+    return bases + [library.find(library.CONDITIONS, name) for name in table.conditions]
+
+
 def read_preset(name: str, conditions: Sequence[str] = ()) -> Preset:
     """A preset with its bases and conditions; raises InputError, naming the file and the key."""
     chain = _chain(name)
@@ -92,6 +98,12 @@ def condition_title(name: str) -> str:
     """The title of conditions; raises InputError."""
     data = read_toml(library.find(library.CONDITIONS, name))
     return str(data.get("name", name))
+
+
+def differences(table: Table) -> dict[str, float | str]:
+    """The knobs that conditions or hands have turned away from the table's preset; raises InputError."""
+    plain = {name: value for name, _, value in walk(read_preset(table.source).knobs)}
+    return {name: value for name, _, value in walk(table.knobs) if value != plain[name]}
 
 
 def save_preset(name: str, base: str, overrides: Mapping[str, float | str], title: str) -> Path:

@@ -95,7 +95,7 @@ class Table:
     def reset(self, *names: str) -> Table:
         """A copy with these knobs as the preset has them; all of them where none is named."""
         kept = {name: value for name, value in self.set.items() if names and name not in names}
-        return Table(self.source, self.title, self.base, self.furniture, kept)
+        return self._having(kept)
 
     def boxes(self) -> list[tuple[float, float, float, float]]:
         """The broad phase's box round each element: left, bottom, right, top, m."""

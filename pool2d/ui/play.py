@@ -12,7 +12,7 @@ from ..game.session import Session
 from ..physics.rollout import Rollout
 from ..physics.strike import hop
 from ..physics.values import POCKETED
-from ..preset import save_preset
+from ..preset import differences, load_table, save_preset
 from ..table import Table
 from . import cue_art, guide, hud, theme
 from .debug import ScreenPen, draw_geometry
@@ -195,16 +195,23 @@ class Play:
     def _tune(self) -> None:
         if self.tuning is None:
             aimed = self.hands.aim.shot(self.session.cue.id)
-            self.tuning = Tuning(self.session, aimed, self._ask_name)
+            self.tuning = Tuning(self.session, aimed, self._ask_name, self.open_table)
         else:
             self.tuning = None
+
+    def open_table(self, name: str) -> None:
+        """Go over to another preset, with a new rack; raises InputError."""
+        self._drop()
+        self.tuning = None
+        self.session = Session(load_table(name), seed=random.randrange(1 << 30))
+        self.message = f"{self.session.table.title}: a new rack."
 
     def _ask_name(self) -> None:
         table = self.session.table
 
         def save(name: str) -> str:
             try:
-                path = save_preset(name, table.source, table.set, name)
+                path = save_preset(name, table.source, differences(table), name)
             except InputError as error:
                 return error.allowed
             self.message = f"Saved as {path}"
@@ -244,7 +251,8 @@ class Play:
 
     def _spot(self) -> tuple[float, float]:
         """Where a ball in hand is held before a hand has moved it."""
-        return self.session.table.furniture.spots["head"]
+        start = self.session.table.rack(self.session.rack_name)[self.session.cue.id]
+        return start.x, start.y
 
     def change_table(self, table: Table) -> None:
         """Play on with other parameters; raises InputError where the balls do not fit."""

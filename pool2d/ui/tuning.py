@@ -12,12 +12,12 @@ from ..knobs import Knob, walk
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import Layout, Shot
-from ..preset import load_table, presets
+from ..preset import conditions, load_table, presets
 from ..table import Table
 from . import theme
 from .form import Form
 from .hud import Screen
-from .inputs import Choice, Slider
+from .inputs import Choice, ListBox, Slider
 from .widgets import Button, Heading, Tabs, Widget
 
 # The panel's pages, and the knobs on each by the beginning of their names.
@@ -39,7 +39,7 @@ class Tuning:
     there when the panel opened, `new` what it does now, `other` what it does on the table compared.
     """
 
-    def __init__(self, session: Session, aimed: Shot, save: Callable[[], None]) -> None:
+    def __init__(self, session: Session, aimed: Shot, save: Callable[[], None], go_to: Callable[[str], None]) -> None:
         self.session = session
         self.page = "Cloth"
         self.error = ""
@@ -51,6 +51,8 @@ class Tuning:
         self.compared: Table | None = None
         self.other: Rollout | None = None
         self._save = save
+        self._go_to = go_to
+        self.chosen = session.table.source
         self.form = Form([])
         self._lay_out()
 
@@ -94,6 +96,19 @@ class Tuning:
             return
         self.other = None if self.compared is None else self._roll(self.compared)
 
+    def condition(self, name: str) -> None:
+        """Lay conditions over the table's preset, or none; the knobs turned stay on top."""
+        table = self.session.table
+        chosen = () if name == NOTHING else (name,)
+        self._change(lambda: load_table(table.source, table.set, chosen))
+
+    def go(self) -> None:
+        """Leave this table for the chosen one."""
+        try:
+            self._go_to(self.chosen)
+        except InputError as error:
+            self.error = str(error)
+
     def swap(self) -> None:
         """Play on the table that is compared, and compare with the one in play."""
         if self.compared is not None:
@@ -128,6 +143,8 @@ class Tuning:
             [Heading(self._summary)],
             [Tabs(list(PAGES), lambda: self.page, self._open)],
             *([self._widget(name, knob)] for name, knob, _ in self._knobs() if name.startswith(PAGES[self.page])),
+            *self._tables(),
+            [Choice("Conditions", lambda: [NOTHING, *conditions()], self._conditions, self.condition, _CONDITIONS)],
             [Choice("Compare with", lambda: [NOTHING, *presets()], self._compared, self.compare, _COMPARE)],
             [
                 Button("Swap", self.swap, "play on the table compared with, and compare with this one"),
@@ -137,6 +154,21 @@ class Tuning:
             [Heading(lambda: self.error, theme.WARNING)],
         ]
         self.form.set_rows(rows)
+
+    def _tables(self) -> list[list[Widget]]:
+        """On the page of that name: the presets, to play on another."""
+        if self.page != "Table":
+            return []
+        return [
+            [ListBox(presets, lambda: self.chosen, self._choose, lines=6)],
+            [Button("Play on this table", self.go, "leave this game for a new rack on the chosen table")],
+        ]
+
+    def _choose(self, name: str) -> None:
+        self.chosen = name
+
+    def _conditions(self) -> str:
+        return ", ".join(self.session.table.conditions) or NOTHING
 
     def _open(self, page: str) -> None:
         self.page = page
@@ -182,4 +214,5 @@ class Tuning:
         return NOTHING if self.compared is None else self.compared.source
 
 
+_CONDITIONS = "cloth, balls and cushions as they get in use; they lie over the preset and under the knobs"
 _COMPARE = "show the same shot on another table too"

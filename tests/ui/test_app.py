@@ -166,6 +166,22 @@ def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(tmp_path: Pa
         app.close()
 
 
+def test_a_change_of_the_base_is_taken_too(tmp_path: Path) -> None:
+    base, mine = tmp_path / "base.toml", tmp_path / "mine.toml"
+    base.write_text('base = "pool-9ft"\n[cloth]\nmu_roll = 0.012\n')
+    mine.write_text('base = "base.toml"\n[ball]\nrestitution = 0.93\n')
+    app = App(load_table(str(mine)), seed=1)
+    try:
+        app.step(0.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.012
+        base.write_text('base = "pool-9ft"\n[cloth]\nmu_roll = 0.0215\n')
+        app.step(1.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.0215
+        assert app.play.session.table.knobs.ball.restitution == 0.93
+    finally:
+        app.close()
+
+
 def test_a_missing_font_is_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     pygame.font.init()
     text.font.cache_clear()

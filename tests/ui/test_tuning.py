@@ -159,6 +159,33 @@ def test_comparing_two_presets_on_the_same_shot(hand: Hand) -> None:
     assert tuning.other is None
 
 
+def test_conditions_lie_under_the_knobs(hand: Hand) -> None:
+    tuning = panel(hand)
+    tuning.turn("ball.restitution", 0.9)
+    tuning.condition("dirty-balls")
+    knobs = hand.play.session.table.knobs
+    assert knobs.ball.cling > 1.0
+    assert knobs.ball.restitution == 0.9
+    tuning.reset()
+    assert hand.play.session.table.knobs.ball.cling > 1.0
+    assert not hand.play.session.table.set
+    tuning.condition(NOTHING)
+    assert hand.play.session.table.knobs.ball.cling == 1.0
+
+
+def test_going_over_to_another_table(hand: Hand) -> None:
+    tuning = panel(hand)
+    tuning._open("Table")
+    hand.app.step(0.0)
+    tuning.chosen = "snooker-12ft"
+    press(hand, widget(tuning, "Play on this table").rect.center)
+    assert hand.play.session.table.source == "snooker-12ft"
+    assert hand.play.tuning is None
+    hand.point(2.0, 0.9)
+    hand.key(pygame.K_SPACE)
+    assert hand.play.session.position.shots == 1
+
+
 def test_aiming_goes_on_beside_the_panel(hand: Hand) -> None:
     panel(hand)
     hand.app.step(0.0)
@@ -182,6 +209,7 @@ def test_the_table_makes_room_for_the_panel(hand: Hand) -> None:
 def test_saving_as_a_preset_of_ones_own(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
     tuning = panel(hand)
+    tuning.condition("dirty-balls")
     tuning.turn("cloth.mu_roll", 0.02)
     hand.app.step(0.0)
     button = widget(tuning, "Save as")
@@ -194,7 +222,7 @@ def test_saving_as_a_preset_of_ones_own(hand: Hand, tmp_path: Path, monkeypatch:
         hand.key(pygame.K_RETURN)
         assert (hand.app.scene is ask) is wrong, words
         assert bool(ask.wrong) is wrong
-    assert load_table("mine").knobs.cloth.mu_roll == 0.02
+    assert load_table("mine").knobs == hand.play.session.table.knobs
     assert "mine" in hand.play.message
 
 
