@@ -43,6 +43,22 @@ def read_toml(path: Path) -> dict[str, Any]:
         raise InputError(str(path), "", None, f"not a TOML file: {error}") from error
 
 
+def line_of(path: Path, key: str) -> int:
+    """The line of a TOML file that sets a dotted key, counted from 1; 0 where none plainly does."""
+    section, _, name = re.split(r"[\[,]", key)[0].rpartition(".")
+    here = ""
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError):
+        return 0
+    for number, line in enumerate(lines, 1):
+        if header := re.match(r"\s*\[+\s*([^\[\]]+?)\s*\]", line):
+            here = header[1]
+        elif (word := re.match(r"""\s*["']?([\w.-]+)["']?\s*=""", line)) and word[1] == name and here == section:
+            return number
+    return 0
+
+
 def write_text(path: Path, text: str, new: bool = False) -> None:
     """Write a file whole or not at all; `new` refuses to replace one.
 

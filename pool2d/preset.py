@@ -14,7 +14,7 @@ from typing import Any
 
 from . import library
 from .errors import InputError, suggest
-from .files import read_toml, to_toml, write_text
+from .files import line_of, read_toml, to_toml, write_text
 from .furnish import SECTIONS, furnish
 from .knobs import apply, walk
 from .racks import Furniture
@@ -42,8 +42,22 @@ def load_table(name: str | Path, overrides: Mapping[str, Any] | None = None, con
     `conditions` are laid over the preset, and `overrides`, dotted knobs, on top. Raises InputError,
     naming the file and the key.
     """
-    preset = read_preset(str(name), conditions)
-    return Table(preset.source, preset.title, preset.knobs, preset.furniture, overrides, conditions)
+    try:
+        preset = read_preset(str(name), conditions)
+        return Table(preset.source, preset.title, preset.knobs, preset.furniture, overrides, conditions)
+    except InputError as error:
+        raise _located(error, overrides or {}) from None
+
+
+def _located(error: InputError, overrides: Mapping[str, Any]) -> InputError:
+    """The complaint with the line of the file that it is about, where that can be told."""
+    if not error.key or error.key in overrides:
+        return error
+    try:
+        line = line_of(preset_path(error.source), error.key)
+    except InputError:
+        return error
+    return InputError(error.source, error.key, error.value, error.allowed, line)
 
 
 def presets() -> list[str]:

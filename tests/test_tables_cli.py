@@ -103,7 +103,7 @@ def test_check_tells_good_from_bad(tmp_path: Path, capsys: pytest.CaptureFixture
     assert main(["tables", "--check", str(bad), str(good), str(worse)]) == 2
     out, err = capsys.readouterr()
     assert out == f"{good}: good, good\n"
-    assert [line.split(": ")[1] for line in err.splitlines()] == [str(bad), str(worse)]
+    assert [line.split(": ")[1] for line in err.splitlines()] == [f"{bad}, line 1", str(worse)]
     assert main(["tables", "--check", str(good)]) == 0
 
 

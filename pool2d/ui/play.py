@@ -258,6 +258,8 @@ class Play:
         """Play on with other parameters; raises InputError where the balls do not fit."""
         self.session.change_table(table)
         self.rollout = None
+        if self.tuning is not None:
+            self.tuning.refresh()
         self.message = "The table's file has changed, and so has the table."
 
     # Time.

@@ -125,7 +125,11 @@ class Tuning:
         except InputError as error:
             self.error = str(error)
             return
-        self.new = self._roll(table)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show what the shot does on the table as it is now."""
+        self.new = self._roll(self.session.table)
 
     def _roll(self, table: Table) -> Rollout | None:
         """The shot on a table; None, and the reason told, where the balls do not fit on it."""

@@ -155,6 +155,8 @@ def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(tmp_path: Pa
         app.step(1.0)
         assert app.play.session.table.knobs.cloth.mu_roll == 0.02
         assert "mu_rol" in app.play.warning and "mu_roll?" in app.play.warning
+        line = len(good.splitlines()) + 3
+        assert f"line {line}:" in app.play.warning
         preset.unlink()
         app.step(1.0)
         assert "cannot be read" in app.play.warning

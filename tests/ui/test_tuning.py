@@ -173,6 +173,14 @@ def test_conditions_lie_under_the_knobs(hand: Hand) -> None:
     assert hand.play.session.table.knobs.ball.cling == 1.0
 
 
+def test_a_saved_file_changes_what_the_panel_shows(hand: Hand) -> None:
+    shot(hand)
+    tuning = panel(hand)
+    hand.play.change_table(load_table("pool-9ft", {"cloth.mu_slide": 0.3}))
+    assert tuning.new is not None and tuning.old is not None
+    assert tuning.new.digest() != tuning.old.digest()
+
+
 def test_going_over_to_another_table(hand: Hand) -> None:
     tuning = panel(hand)
     tuning._open("Table")
