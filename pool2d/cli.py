@@ -18,6 +18,8 @@ from .scenario import load_scenario
 from .table import Knobs
 
 _EVENTS = Knob(0, 1, 1e9, "events", "")
+# Points of all paths together that `--sample` writes.
+_MOST = 2_000_000
 _STEP = Knob(0.0, 1e-6, 1e6, "s", "")
 
 
@@ -29,8 +31,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         words.insert(0, "play")
     try:
         arguments = _parser().parse_args(words)
-        run: int = arguments.run(arguments)
-        return run
+        status: int = arguments.run(arguments)
+        sys.stdout.flush()
+        return status
     except InputError as error:
         print(f"pool2d: {error}", file=sys.stderr)
     except BudgetError as error:
@@ -39,6 +42,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         # The reader has what it wanted (`| head`). Keep Python from complaining as it closes the pipe.
         sys.stdout = None
         return 0
+    except OSError as error:
+        print(f"pool2d: standard output: cannot be written: {error.strerror}", file=sys.stderr)
+        sys.stdout = None
     return 2
 
 
@@ -55,6 +61,9 @@ def _simulate(arguments: argparse.Namespace) -> int:
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
     for path in arguments.files:
         rollout = load_scenario(path, overrides, _conditions(arguments)).simulate(limit)
+        if step is not None and rollout.duration / step * len(rollout.start) > _MOST:
+            allowed = f"the paths would have more than {_MOST} points; take a longer step"
+            raise InputError("command line", "--sample", step, allowed)
         if arguments.json:
             print(json.dumps(_as_dict(rollout, step)), flush=True)
         else:
@@ -134,7 +143,7 @@ class _Parser(argparse.ArgumentParser):
     """An ArgumentParser whose complaints are one line."""
 
     def error(self, message: str) -> Any:
-        raise InputError(self.prog, "", None, message)
+        raise InputError("command line", "", None, message)
 
 
 def _overrides(settings: list[str]) -> dict[str, Any]:
@@ -143,7 +152,7 @@ def _overrides(settings: list[str]) -> dict[str, Any]:
     for setting in settings:
         name, sign, text = setting.partition("=")
         if not sign:
-            raise InputError("--set", name, None, "allowed is NAME=VALUE, as in cloth.mu_roll=0.012")
+            raise InputError("--set", "", None, f"{setting!r} is not NAME=VALUE, as in cloth.mu_roll=0.012")
         try:
             overrides[name.strip()] = float(text)
         except ValueError:
@@ -162,13 +171,13 @@ def _number(knob: Knob, text: str, name: str) -> float:
         number: object = float(text)
     except ValueError:
         number = text
-    return float(knob.check(number, "pool2d", name))
+    return float(knob.check(number, "command line", name))
 
 
 def _whole(knob: Knob, text: str, name: str) -> int:
     number = _number(knob, text, name)
     if not number.is_integer():
-        raise InputError("pool2d", name, text, f"allowed is a whole number; {knob.allowed()}")
+        raise InputError("command line", name, text, f"allowed is a whole number; {knob.allowed()}")
     return int(number)
 
 

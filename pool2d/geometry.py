@@ -33,7 +33,7 @@ class TableKnobs:
 class CornerKnobs:
     mouth: float = knob(0.1159, 0.04, 0.3, "m", "width of a corner pocket between the tips of its jaws")
     angle: float = knob(142.0, 95.0, 170.0, "degrees", "angle between nose and facing at a corner pocket")
-    shelf: float = knob(0.0413, 0.0, 0.2, "m", "from a corner pocket's mouth to where the slate ends")
+    shelf: float = knob(0.0413, 0.0, 0.1, "m", "from a corner pocket's mouth to where the slate ends")
     jaw_radius: float = knob(0.01, 0.0, 0.2, "m", "rounding of a corner pocket's jaws")
     drop_radius: float = knob(0.06, 0.02, 0.2, "m", "radius of a corner pocket's hole in the slate")
 
@@ -42,7 +42,7 @@ class CornerKnobs:
 class SideKnobs:
     mouth: float = knob(0.1286, 0.04, 0.3, "m", "width of a side pocket between the tips of its jaws")
     angle: float = knob(104.0, 90.0, 170.0, "degrees", "angle between nose and facing at a side pocket")
-    shelf: float = knob(0.0048, 0.0, 0.2, "m", "from a side pocket's mouth to where the slate ends")
+    shelf: float = knob(0.0048, 0.0, 0.06, "m", "from a side pocket's mouth to where the slate ends")
     jaw_radius: float = knob(0.008, 0.0, 0.2, "m", "rounding of a side pocket's jaws")
     drop_radius: float = knob(0.06, 0.02, 0.2, "m", "radius of a side pocket's hole in the slate")
 

@@ -65,7 +65,7 @@ BAD = [
      "no bottom-left cushion between them"),
     ("[corner]\ndrop_radius = 0.02", "corner.drop_radius = 0.02: a ball could pass beside the hole; allowed is 0.0"),
     ("[side]\nangle = 160", "side.angle = 160.0: the facings do not lead into the pocket"),
-    ("[corner]\nangle = 170\nshelf = 0.2", "corner.angle = 170.0: the facings meet before the pocket's drop"),
+    ("[corner]\nangle = 170\nshelf = 0.1", "corner.angle = 170.0: the facings meet before the pocket's drop"),
     ("[side]\njaw_radius = 0.15", "side.jaw_radius = 0.15: the jaws are rounder than the pocket is deep"),
     ("[cushion]\nnose_height = 0.06", "cushion.nose_height = 0.06: the nose must be lower than a ball is high"),
     ("[sizes]\ncue = { radius = 0.015, mass = 0.1 }", "the nose must be lower than a ball is high, 0.03 m"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from .scene import Scene
 
 SIZE = (1280, 720)
 _FPS = 60
+# Drivers that show nothing, which SDL falls back to without a screen.
+_UNSEEN = ("dummy", "offscreen", "evdev")
 # How often the open preset's file is looked at, s.
 _WATCH = 0.5
 
@@ -137,9 +140,14 @@ def _stamp(path: Path) -> tuple[int, int] | None:
 
 
 def play(table: Table, seed: int | None = None, frames: int | None = None) -> int:
-    """Open a window and play; returns the exit status."""
-    app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed)
+    """Open a window and play; returns the exit status. Raises InputError where there is no display."""
     try:
+        app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed)
+    except pygame.error as error:
+        raise InputError("display", "", None, f"no window can be opened: {error}") from error
+    try:
+        if frames is None and pygame.display.get_driver() in _UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
+            raise InputError("display", "", None, "no screen was found to open a window on")
         app.run(frames)
     finally:
         app.close()

@@ -57,7 +57,7 @@ class Ask(Dialog):
             title,
             [
                 [self.field],
-                [Heading(lambda: self.wrong, theme.WARNING)],
+                [Heading(lambda: self.wrong, theme.WARNING, lines=3)],
                 [Button("Cancel", self._cancel), Button("Save", self._ok, strong=True)],
             ],
         )

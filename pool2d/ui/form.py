@@ -25,6 +25,7 @@ class Form:
         self.focus: Widget | None = None
         self.scroll = 0
         self._held: Widget | None = None
+        self._pressed = False
         self._hovered: Widget | None = None
         self._rest = 0.0
         self.set_rows(rows)
@@ -63,13 +64,16 @@ class Form:
             return self._move(event.pos)
         if event.type == pygame.MOUSEBUTTONDOWN and self.rect.collidepoint(event.pos):
             widget = self._under(event.pos)
+            self._pressed = event.button == 1
             if event.button == 1 and widget is not None and widget.focusable:
                 self.focus = self._held = widget
                 widget.press(event.pos)
             return True
-        if event.type == pygame.MOUSEBUTTONUP and event.button == 1 and self._held is not None:
-            held, self._held = self._held, None
-            held.release(event.pos)
+        if event.type == pygame.MOUSEBUTTONUP and event.button == 1 and self._pressed:
+            # The release belongs to the form that took the press, also where its widget has gone since.
+            held, self._held, self._pressed = self._held, None, False
+            if held is not None:
+                held.release(event.pos)
             return True
         if event.type == pygame.KEYDOWN:
             return self._key(event.key, getattr(event, "mod", 0))

@@ -266,6 +266,7 @@ class Play:
 
     def update(self, dt: float) -> Scene | None:
         if self.tuning is not None:
+            self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
             self.tuning.update(dt)
         if self.rollout:
             self.time += dt * (_FAST if self.fast else 1.0)
@@ -315,7 +316,8 @@ class Play:
         hud.draw_bars(surface, stage.screen, session.table.title, note)
         hud.draw_controls(surface, stage.screen, aim, speed, session.table.knobs.cue.tip_friction)
         color = theme.WARNING if self.warning else theme.TEXT
-        hud.draw_message(surface, stage.screen, self.warning or self._hop(speed) or self.message, color)
+        message = self.warning or f"{self.message} {self._hop(speed)}".strip()
+        hud.draw_message(surface, stage.screen, message, color)
         if self.tuning is not None:
             self.tuning.draw(surface)
 

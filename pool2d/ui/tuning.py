@@ -43,18 +43,28 @@ class Tuning:
         self.session = session
         self.page = "Cloth"
         self.error = ""
-        played = session.position.rollout, session.position.shot
-        self.start: Layout = session.layout if played[0] is None else played[0].start
-        self.shot = aimed if played[1] is None else played[1]
-        self.old = self._roll(session.table)
-        self.new = self.old
         self.compared: Table | None = None
         self.other: Rollout | None = None
+        self._seen: object = None
+        self.follow(aimed)
         self._save = save
         self._go_to = go_to
         self.chosen = session.table.source
         self.form = Form([])
         self._lay_out()
+
+    def follow(self, aimed: Shot) -> None:
+        """Take the shot that was played last, or where there is none the one that is aimed."""
+        position = self.session.position
+        seen = (position.layout, position.rollout, None if position.shot else aimed)
+        if seen == self._seen:
+            return
+        self._seen = seen
+        self.start: Layout = position.layout if position.rollout is None else position.rollout.start
+        self.shot = position.shot or aimed
+        self.error = ""
+        self.old = self.new = self._roll(self.session.table)
+        self.other = None if self.compared is None else self._roll(self.compared)
 
     # What the hands do.
 
@@ -104,6 +114,9 @@ class Tuning:
 
     def go(self) -> None:
         """Leave this table for the chosen one."""
+        if self.chosen not in presets():
+            self.error = "Choose a table in the list."
+            return
         try:
             self._go_to(self.chosen)
         except InputError as error:
@@ -155,7 +168,7 @@ class Tuning:
                 Button("Reset all", self.reset, "set every knob back to the preset's value"),
                 Button("Save as", self._save, "keep this table as a preset of your own", strong=True),
             ],
-            [Heading(lambda: self.error, theme.WARNING)],
+            [Heading(lambda: self.error, theme.WARNING, lines=4)],
         ]
         self.form.set_rows(rows)
 
@@ -212,7 +225,8 @@ class Tuning:
 
     def _summary(self) -> str:
         changed = len(self.session.table.set)
-        return f"{self.session.table.title}, {changed or 'no'} knob{'' if changed == 1 else 's'} turned"
+        parts = [self.session.table.title, *self.session.table.conditions]
+        return f"{', '.join(parts)}; {changed or 'no'} knob{'' if changed == 1 else 's'} turned"
 
     def _compared(self) -> str:
         return NOTHING if self.compared is None else self.compared.source

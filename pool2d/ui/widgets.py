@@ -56,20 +56,30 @@ def tone(focused: bool, hovered: bool) -> theme.Color:
 
 
 class Heading(Widget):
-    """A line of text that only tells."""
+    """Text that only tells, in as many lines as there is room for."""
 
     focusable = False
 
-    def __init__(self, words: Callable[[], str], color: theme.Color = theme.QUIET, large: bool = False) -> None:
+    def __init__(
+        self, words: Callable[[], str], color: theme.Color = theme.QUIET, large: bool = False, lines: int = 1
+    ) -> None:
         super().__init__()
         self.words = words
         self.color = color
         self.large = large
+        self.lines = lines
+        self.rows = max(1.0, 0.8 * lines)
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         size = unit * 5 // 2 if self.large else unit * 7 // 4
-        line = text.fitted(self.words(), size, self.rect.width)
-        text.draw(surface, line, size, self.color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+        words = self.words()
+        if self.lines == 1:
+            line = text.fitted(words, size, self.rect.width)
+            text.draw(surface, line, size, self.color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+            return
+        pitch = text.font(size).get_linesize()
+        for i, line in enumerate(text.wrap(words, size, self.rect.width)[: self.lines]):
+            text.draw(surface, line, size, self.color, (self.rect.left, self.rect.top + i * pitch))
 
 
 class Button(Widget):

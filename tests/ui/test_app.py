@@ -31,6 +31,15 @@ def test_the_command_runs_its_frames_and_ends() -> None:
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
+@pytest.mark.parametrize("driver", ["x11", "bogus"])
+def test_without_a_display_it_says_so_in_one_line(driver: str) -> None:
+    environment = {**os.environ, "SDL_VIDEODRIVER": driver, "DISPLAY": ":999"}
+    done = subprocess.run([sys.executable, "main.py"], cwd=ROOT, env=environment, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert "display: no window can be opened" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (800, 1000), (320, 200)])
 def test_the_table_is_to_scale_and_inside_the_window(hand: Hand, size: tuple[int, int]) -> None:
     hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)

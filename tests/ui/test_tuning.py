@@ -159,6 +159,43 @@ def test_comparing_two_presets_on_the_same_shot(hand: Hand) -> None:
     assert tuning.other is None
 
 
+def test_the_shot_shown_is_the_last_one_or_the_one_aimed(hand: Hand) -> None:
+    hand.point(1.7, 0.9)
+    tuning = panel(hand)
+    hand.app.step(0.0)
+    hand.point(1.2, 0.2)
+    assert tuning.shot.angle == hand.play.hands.aim.angle
+    hand.key(pygame.K_g)
+    hand.play._enter()
+    hand.app.step(0.0)
+    assert tuning.new is not None and hand.play.session.rollout is not None
+    assert tuning.new.digest() == hand.play.session.rollout.digest()
+    hand.key(pygame.K_n)
+    hand.app.step(0.0)
+    assert tuning.start == hand.play.session.layout
+
+
+def test_a_click_on_a_page_leaves_the_aim_alone(hand: Hand) -> None:
+    tuning = panel(hand)
+    hand.app.step(0.0)
+    tabs = next(one for one in tuning.form.widgets if isinstance(one, Tabs))
+    hand.move((tabs.rect.right - 8, tabs.rect.centery))
+    angle = hand.play.hands.aim.angle
+    hand.press()
+    hand.release()
+    assert tuning.page == "Table"
+    assert hand.play.hands.aim.angle == angle
+
+
+def test_a_table_has_to_be_chosen_before_playing_on_it(hand: Hand) -> None:
+    tuning = panel(hand)
+    tuning.chosen = "nowhere"
+    before = hand.play.session
+    tuning.go()
+    assert hand.play.session is before
+    assert "Choose" in tuning.error
+
+
 def test_conditions_lie_under_the_knobs(hand: Hand) -> None:
     tuning = panel(hand)
     tuning.turn("ball.restitution", 0.9)
