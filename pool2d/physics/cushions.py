@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 CushionLaw = Callable[["Body", float, float, "Physics"], None]
 
-# Steps of the integration of `mathavan2010`, for each of compression and restitution. Of the speeds
-# after a rebound the largest error is 3e-4 of the speed before it, against 20,000 steps.
+# Steps of the integration of `mathavan2010`, for each of compression and restitution. Against 2,000
+# steps the speeds after a rebound are off by 0.11 % of the speed before it at the most, 0.02 % on
+# average, and the spins times the radius by 1 %; with a snooker cushion by twice that. The largest are
+# where a slip turns about within a step. (`python -m pytest tests/test_steps.py`)
 STEPS = 16
-# A slip below this part of the approach speed has ended: the surfaces grip.
-GRIP = 0.001
 # Many times the steps that a contact takes which does not jam.
 _ENOUGH = 20
 
@@ -93,7 +93,7 @@ def mathavan2010(ball: Body, nx: float, ny: float, physics: Physics) -> None:
     restitution = rebound(approach, physics.cushion.restitution) / approach
     sin = physics.cushion.nose_height / ball.radius - 1.0
     cos = math.sqrt(1.0 - sin * sin)
-    contact = (sin, cos, physics.cushion.friction, physics.cloth.mu_slide, GRIP * approach)
+    contact = (sin, cos, physics.cushion.friction, physics.cloth.mu_slide)
     radius = ball.radius
     state = (
         ball.vx * ny - ball.vy * nx, approach,
@@ -102,9 +102,9 @@ def mathavan2010(ball: Body, nx: float, ny: float, physics: Physics) -> None:
     step = approach / (cos * STEPS)
     work = 0.0
     for _ in range(_ENOUGH * STEPS):
-        rate, part = _middle(state, contact, step)
-        last = state[1] + part * rate[1] <= 0.0
-        part = -state[1] / rate[1] if last else part
+        rate = _rate(state, contact, step)
+        last = state[1] + step * rate[1] <= 0.0
+        part = -state[1] / rate[1] if last else step
         after = _moved(state, rate, part)
         work += 0.5 * (state[1] + after[1]) * cos * part
         state = after
@@ -112,14 +112,14 @@ def mathavan2010(ball: Body, nx: float, ny: float, physics: Physics) -> None:
             break
     work *= restitution * restitution
     for _ in range(_ENOUGH * STEPS):
-        rate, part = _middle(state, contact, step)
+        rate = _rate(state, contact, step)
         # Within a step the cushion gives back (-vY + |vY'| part / 2) cos part.
         out, gain = -state[1], -rate[1]
         square = out * out + 2.0 * gain * work / cos
         reach = out + math.sqrt(square) if square > 0.0 else 0.0
         whole = 2.0 * work / cos / reach if reach > 0.0 else math.inf
-        last = whole <= part
-        part = whole if last else part
+        last = whole <= step
+        part = whole if last else step
         work -= (out + 0.5 * gain * part) * cos * part
         state = _moved(state, rate, part)
         if last:
@@ -137,63 +137,41 @@ def _moved(state: _State, rate: _State, step: float) -> _State:
     )  # fmt: skip
 
 
-def _middle(state: _State, contact: _State, step: float) -> tuple[_State, float]:
-    """The rate in the middle of a step, and the step: it is cut short where a slip ends."""
-    rate = _rate(state, contact, step)
-    step = _until_grip(state, rate, contact, step)
-    rate = _rate(_moved(state, rate, 0.5 * step), contact, step)
-    return rate, _until_grip(state, rate, contact, step)
-
-
-def _until_grip(state: _State, rate: _State, contact: _State, step: float) -> float:
-    """How far `rate` holds: `step`, or to where the slip at the nose or at the cloth is at its least."""
+def _rate(state: _State, contact: tuple[float, float, float, float], step: float) -> _State:
+    """What a unit of the nose's impulse, per mass, does to (vX, vY, R wX, R wY, R wZ) in a step."""
     vx, vy, qx, qy, qz = state
-    ax, ay, bx, by, bz = rate
-    sin, cos, _, _, grip = contact
-    nose = _until(vx + qy * sin - qz * cos, qx - vy * sin, ax + by * sin - bz * cos, bx - ay * sin, grip)
-    return min(step, nose, _until(vx - qy, vy + qx, ax - by, ay + bx, grip))
-
-
-def _until(x: float, y: float, rate_x: float, rate_y: float, grip: float) -> float:
-    """How far it is until the slip (x, y), changing at that rate, is at its least."""
-    square, toward = x * x + y * y, -(x * rate_x + y * rate_y)
-    return square / toward if square > grip * grip and toward > 0.0 else math.inf
-
-
-def _rate(state: _State, contact: _State, step: float) -> _State:
-    """What a unit of the nose's impulse, per mass, does to (vX, vY, R wX, R wY, R wZ)."""
-    vx, vy, qx, qy, qz = state
-    sin, cos, nose, cloth, grip = contact
+    sin, cos, nose, cloth = contact
     sx, sy = vx + qy * sin - qz * cos, qx - vy * sin
     ux, uy = vx - qy, vy + qx
     across, along = 2.5 - sin, 1.0 - 2.5 * sin
     gx = gy = 0.0
-    # Where a surface grips, what holds it depends on the other's friction: one more round.
+    # The friction of each surface depends on the other's: one more round.
     for _ in range(2):
-        fx, fy = _friction(sx, sy, along * gx, sin * cos + across * gy, 2.5 + sin * sin, nose, grip, step)
+        fx, fy = _friction(sx, sy, along * gx, sin * cos + across * gy, 2.5 + sin * sin, nose, step)
         # The nose and its friction press the ball on the cloth, or lift it and leave the cloth nothing.
         weight = max(0.0, sin - fy * cos)
-        gx, gy = _friction(ux, uy, along * fx, across * fy - cos, 3.5, cloth * weight, grip, step)
-        if sx * sx + sy * sy > grip * grip:
-            break
+        gx, gy = _friction(ux, uy, along * fx, across * fy - cos, 3.5, cloth * weight, step)
     return fx + gx, gy - cos - fy * sin, 2.5 * (fy + gy), 2.5 * (fx * sin - gx), -2.5 * fx * cos
 
 
 def _friction(
-    x: float, y: float, drive_x: float, drive_y: float, ease_y: float, limit: float, grip: float, step: float
+    x: float, y: float, drive_x: float, drive_y: float, ease_y: float, limit: float, step: float
 ) -> tuple[float, float]:
-    """Coulomb friction, `limit` at most, of a surface with the slip (x, y).
+    """Coulomb friction, `limit` at most, of a surface with the slip (x, y), for a step.
 
-    Below a slip of `grip` the surface holds: the friction is what ends the slip in a step, against what
-    else (drive_x, drive_y) does to it. A unit of friction takes 7/2 off a slip along x, `ease_y` along y.
+    Something else drives the slip at (drive_x, drive_y); a unit of friction takes 7/2 off it along x,
+    `ease_y` along y. What would end the slip within the step is enough; else the friction is against the
+    slip in the middle of the step, or at its end where the slip is so small that it turns on the way.
     """
-    slip = math.sqrt(x * x + y * y)
-    if slip <= grip:
-        x, y = (x / step + drive_x) / 3.5, (y / step + drive_y) / ease_y
-        slip = math.sqrt(x * x + y * y)
-        if slip <= limit:
-            return -x, -y
-    return -limit * x / slip, -limit * y / slip
+    end_x, end_y = x + step * drive_x, y + step * drive_y
+    hold_x, hold_y = end_x / (3.5 * step), end_y / (ease_y * step)
+    if hold_x * hold_x + hold_y * hold_y <= limit * limit:
+        return -hold_x, -hold_y
+    x, y = 0.5 * (x + end_x), 0.5 * (y + end_y)
+    if x * x + y * y <= (3.5 * limit * step) ** 2:
+        x, y = end_x, end_y
+    size = limit / math.sqrt(x * x + y * y)
+    return -size * x, -size * y
 
 
 CUSHION_LAWS: dict[str, CushionLaw] = {"impulse": impulse, "han2005": han2005, "mathavan2010": mathavan2010}
