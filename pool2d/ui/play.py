@@ -315,9 +315,9 @@ class Play:
         note = f"Shot {session.position.shots + 1}   \N{MIDDLE DOT}   {session.left} balls left"
         hud.draw_bars(surface, stage.screen, session.table.title, note)
         hud.draw_controls(surface, stage.screen, aim, speed, session.table.knobs.cue.tip_friction)
-        color = theme.WARNING if self.warning else theme.TEXT
-        message = self.warning or f"{self.message} {self._hop(speed)}".strip()
-        hud.draw_message(surface, stage.screen, message, color)
+        wrong = (self.tuning.error if self.tuning is not None else "") or self.warning
+        message = wrong or f"{self.message} {self._hop(speed)}".strip()
+        hud.draw_message(surface, stage.screen, message, theme.WARNING if wrong else theme.TEXT)
         if self.tuning is not None:
             self.tuning.draw(surface)
 

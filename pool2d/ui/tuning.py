@@ -35,8 +35,9 @@ NOTHING = "nothing"
 class Tuning:
     """The panel over a session: turning a knob changes the session's table at once.
 
-    `shot` and `start` are the shot that is shown again: `old` is what it did on the table that was
-    there when the panel opened, `new` what it does now, `other` what it does on the table compared.
+    `shot` and `start` are the shot that is shown again: `old` is what it did on the table that was there
+    when the panel opened, `new` what it does now, `other` what it does on the table compared. `error` is
+    what is wrong with the last turn of a knob; the game's message line tells it.
     """
 
     def __init__(self, session: Session, aimed: Shot, save: Callable[[], None], go_to: Callable[[str], None]) -> None:
@@ -168,7 +169,6 @@ class Tuning:
                 Button("Reset all", self.reset, "set every knob back to the preset's value"),
                 Button("Save as", self._save, "keep this table as a preset of your own", strong=True),
             ],
-            [Heading(lambda: self.error, theme.WARNING, lines=4)],
         ]
         self.form.set_rows(rows)
 
