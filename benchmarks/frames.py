@@ -30,13 +30,13 @@ def main(size: tuple[int, int]) -> None:
     app.step(0.0)
     _tell("at rest", app, lambda: None)
     _tell("aiming", app, lambda: _turn(app))
-    app.play.aim = app.play.aim.with_speed(8.0).toward(1.0, 0.003)
+    app.play.hands.aim = app.play.hands.aim.with_speed(8.0).toward(1.0, 0.003)
     app.play._strike(8.0)
     _tell("balls rolling", app, lambda: None, dt=0.02)
 
 
 def _turn(app: App) -> None:
-    app.play.aim = app.play.aim.turned(0.7)
+    app.play.hands.aim = app.play.hands.aim.turned(0.7)
 
 
 def _tell(name: str, app: App, change: Callable[[], None], dt: float = 0.0) -> None:

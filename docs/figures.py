@@ -5,20 +5,25 @@ Needs the optional extra: `pip install -e '.[figures]'`. Lines are what pool2d d
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable
 from itertools import takewhile
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.patches import Circle
 
 from pool2d import Ball, Event, Layout, Rollout, Table, load_table, simulate
 
 HERE = Path(__file__).parent / "figures"
+_DATA = json.loads((Path(__file__).parents[1] / "tests" / "contacts.json").read_text(encoding="utf-8"))
+CASES: dict[str, dict[str, Any]] = {case["id"]: case for case in _DATA}
 TABLE = load_table("pool-9ft")
 RADIUS = TABLE.knobs.ball.radius
 COLORS = ("#14746f", "#c8812a", "#8e2f4a", "#3b5b92")
@@ -54,17 +59,13 @@ def settled(table: Table, ball: Ball) -> tuple[float, float]:
 def throw(axes: Axes) -> None:
     """Cut-induced throw: friction drags the object ball off the line of centres."""
     table = TABLE.with_knobs({"ball.restitution": 1.0})
-    published = {
-        0.447: [0.7161, 1.443, 2.1921, 2.9765, 3.8111, 4.715, 5.2372, 5.0835, 4.9451, 4.8221, 4.6211, 4.4791, 4.3945],
-        1.341: [0.7161, 1.443, 2.1921, 2.9765, 3.8111, 3.5491, 3.2465, 2.9899, 2.7734, 2.5921, 2.3179, 2.14, 2.04],
-        3.129: [0.7161, 1.443, 2.1921, 2.5, 2.0372, 1.6976, 1.4479, 1.2637, 1.1273, 1.026, 0.8945, 0.8226, 0.7866],
-    }
-    at = [5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 60, 70, 80]
     cuts = [0.5 * i for i in range(2, 170)]
-    for color, (speed, points) in zip(COLORS, published.items(), strict=False):
+    for color, name in zip(COLORS, ("slow", "medium", "fast"), strict=False):
+        case = CASES[f"B12_stun_{name}"]
+        speed = case["inputs"]["v_mps"]
         thrown = [cut - direction(cut_shot(table, cut, speed, 0.0).after["1"]) for cut in cuts]
         axes.plot(cuts, thrown, color=color, label=f"{speed} m/s")
-        axes.plot(at, points, "o", color=color, markersize=4)
+        axes.plot(case["inputs"]["cut_deg"], case["expected"]["throw_deg"], "o", color=color, markersize=4)
     axes.set(xlabel="cut angle, degrees", ylabel="throw, degrees", title="Throw of a stun shot")
     axes.legend()
 
@@ -83,10 +84,8 @@ def thirty_degrees(axes: Axes) -> None:
             vx, vy = settled(table, cut_shot(table, cut, 1.0, 1.0).after["cue"])
             bent.append(abs(math.degrees(math.atan2(vy, vx))))
         axes.plot(cuts, bent, color=color, label=name)
-    at = [5, 10, 15, 20, 25, 28.1255, 30, 35, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85]
-    points = [12.0251, 21.6806, 28.1622, 31.8683, 33.5035, 33.749, 33.6705, 32.8025, 31.1962, 29.0546, 26.5182]
-    points += [23.6868, 20.633, 17.4111, 14.0631, 10.6222, 7.1159, 3.5681]
-    axes.plot(at, points, "o", color=COLORS[0], markersize=4)
+    case = CASES["B03"]
+    axes.plot(case["inputs"]["cut_deg"], case["expected"]["deflection_deg"], "o", color=COLORS[0], markersize=4)
     axes.axhline(30.0, color="#999999", linewidth=0.8, linestyle="--")
     axes.set(xlabel="cut angle, degrees", ylabel="cue ball's deflection, degrees", title="The 30-degree rule")
     axes.legend()
@@ -114,16 +113,16 @@ def rebound(table: Table, incidence: float, roll: float, side: float) -> Ball:
 def cushions(axes: Axes) -> None:
     """The rebound of a rolling ball, without side spin, with running and with reverse english."""
     table = snooker()
-    published = {
-        0.0: ([10, 20, 30, 40, 45, 50, 60, 70, 80], [10.34, 21.74, 34.0, 46.55, 52.68, 58.56, 68.82, 76.59, 83.39]),
-        2.0: ([10, 20, 30, 40, 45, 50, 60, 70, 80, 89], [9.16, 17.52, 25.46, 33.17, 36.97, 40.77, 48.38, 56.17, 64.35, 72.23]),
-        -1.0: ([10, 20, 30, 40, 45, 50, 60, 70, 80, 89], [10.36, 21.9, 34.49, 47.7, 54.35, 60.89, 73.4, 84.82, 95.01, 103.1]),
-    }  # fmt: skip
-    names = {0.0: "no english", 2.0: "running, R w = 2 v", -1.0: "reverse, R w = v"}
     angles = list(range(4, 90))
-    for color, (side, (at, points)) in zip(COLORS, published.items(), strict=False):
+    for color, (side, name, label) in zip(
+        COLORS,
+        ((0.0, "C04_k1", "no english"), (2.0, "C05_k2", "running, R w = 2 v"), (-1.0, "C05_k-1", "reverse, R w = v")),
+        strict=False,
+    ):
+        case = CASES[name]
         out = [-direction(rebound(table, angle, 1.0, side)) for angle in angles]
-        axes.plot(angles, out, color=color, label=names[side])
+        axes.plot(angles, out, color=color, label=label)
+        at, points = case["inputs"]["incident_deg"], case["expected"]["rebound_angle_deg"]
         axes.plot(at, points, "o", color=color, markersize=4)
     axes.plot([0, 90], [0, 90], color="#999999", linewidth=0.8, linestyle="--")
     axes.set(
@@ -144,7 +143,7 @@ def bend(axes: Axes) -> None:
         path = [(x - start[0], y - start[1]) for _, x, y in way]
         shown = list(takewhile(lambda at: at[0] < 0.5 and at[1] > -0.5, path))
         axes.plot([x for x, _ in shown], [y for _, y in shown], color=color, label=f"{speed:g} m/s")
-    axes.plot([0.18016], [-0.18723], "o", color=COLORS[1], markersize=5)
+    axes.plot(*CASES["B11_2"]["expected"]["slide_end_xy_m"], "o", color=COLORS[1], markersize=5)
     axes.set(
         xlabel="along the aim, m",
         ylabel="across it, m",
@@ -156,7 +155,6 @@ def bend(axes: Axes) -> None:
 
 def chain(axes: Axes) -> None:
     """Five balls in line, the first one moving: touching, and a little apart."""
-    published = [-0.07108, -0.03027, -0.01446, 0.12704, 0.98878]
     table = TABLE.with_knobs({"ball.restitution": 1.0, "ball.law": "frictionless"})
     for color, (name, gap) in zip(COLORS, {"touching": 0.0, "0.1 mm apart": 1e-4}.items(), strict=False):
         balls = [Ball(str(i), 0.6 + i * 2.0 * RADIUS + max(0, i - 1) * gap, 0.635) for i in range(5)]
@@ -167,7 +165,7 @@ def chain(axes: Axes) -> None:
         axes.plot(
             range(1, 6), [rollout.ball_at(str(i), after).vx / 0.5 for i in range(5)], "-", color=color, label=name
         )
-    axes.plot(range(1, 6), published, "o", color=COLORS[0], markersize=5)
+    axes.plot(range(1, 6), CASES["E01_5"]["expected"]["v"], "o", color=COLORS[0], markersize=5)
     axes.set(
         xlabel="ball", ylabel="velocity / that of the first before", title="A chain of five balls", xticks=range(1, 6)
     )
@@ -184,14 +182,14 @@ def rack(axes: Axes) -> None:
             balls.append(Ball(f"{len(balls):02d}", x, y))
     event = first(simulate(table, Layout(balls), events=4), "cluster")
     for ball in event.after.values():
-        axes.add_patch(plt.Circle((ball.x, ball.y), RADIUS, color="#e8e2d4" if ball.id == "cue" else "#d9ece8"))
+        axes.add_patch(Circle((ball.x, ball.y), RADIUS, color="#e8e2d4" if ball.id == "cue" else "#d9ece8"))
         axes.annotate(
             "", (ball.x + 0.035 * ball.vx, ball.y + 0.035 * ball.vy), (ball.x, ball.y),
             arrowprops={"arrowstyle": "->", "color": COLORS[0], "lw": 1.4},
         )  # fmt: skip
-    x, y = 1.905 + 4 * math.sqrt(3.0) * RADIUS, 0.635 + 4 * RADIUS
-    for sign in (1.0, -1.0):
-        axes.plot([x + 0.035 * 8 * 0.4868], [0.635 + sign * (y - 0.635 + 0.035 * 8 * 0.2806)], "o", color=COLORS[1])
+    for ball, (vx, vy) in zip(balls, CASES["E05_15_1"]["expected"]["v"], strict=True):
+        at = event.before[ball.id]
+        axes.plot([at.x + 0.28 * vx], [at.y + 0.28 * vy], "o", color=COLORS[1], markersize=4)
     axes.set(xlim=(1.75, 2.38), ylim=(0.35, 0.92), aspect="equal", title="A tight rack, just struck square at 8 m/s")
     axes.set_xticks([])
     axes.set_yticks([])

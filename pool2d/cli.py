@@ -1,4 +1,4 @@
-"""The command line: play | simulate | render."""
+"""The command line: play | simulate | render | tables."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ from .scenario import load_scenario
 from .table import Knobs
 
 _EVENTS = Knob(0, 1, 1e9, "events", "")
+# Points of all paths together that `--sample` writes.
+_MOST = 2_000_000
 _STEP = Knob(0.0, 1e-6, 1e6, "s", "")
 
 
@@ -29,8 +31,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         words.insert(0, "play")
     try:
         arguments = _parser().parse_args(words)
-        run: int = arguments.run(arguments)
-        return run
+        status: int = arguments.run(arguments)
+        sys.stdout.flush()
+        return status
     except InputError as error:
         print(f"pool2d: {error}", file=sys.stderr)
     except BudgetError as error:
@@ -39,14 +42,17 @@ def main(argv: Sequence[str] | None = None) -> int:
         # The reader has what it wanted (`| head`). Keep Python from complaining as it closes the pipe.
         sys.stdout = None
         return 0
+    except OSError as error:
+        print(f"pool2d: standard output: cannot be written: {error.strerror}", file=sys.stderr)
+        sys.stdout = None
     return 2
 
 
 def _play(arguments: argparse.Namespace) -> int:
     from .ui.app import play
 
-    overrides = _overrides(arguments.set)
-    return play(load_table(arguments.table, overrides), seed=arguments.seed, frames=arguments.frames)
+    table = load_table(arguments.table, _overrides(arguments.set), _conditions(arguments))
+    return play(table, seed=arguments.seed, frames=arguments.frames)
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
@@ -54,7 +60,10 @@ def _simulate(arguments: argparse.Namespace) -> int:
     limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
     for path in arguments.files:
-        rollout = load_scenario(path, overrides).simulate(limit)
+        rollout = load_scenario(path, overrides, _conditions(arguments)).simulate(limit)
+        if step is not None and rollout.duration / step * len(rollout.start) > _MOST:
+            allowed = f"the paths would have more than {_MOST} points; take a longer step"
+            raise InputError("command line", "--sample", step, allowed)
         if arguments.json:
             print(json.dumps(_as_dict(rollout, step)), flush=True)
         else:
@@ -68,8 +77,23 @@ def _render(arguments: argparse.Namespace) -> int:
     width, _, height = arguments.size.partition("x")
     size = Knob(0, 64, 8192, "pixels", "")
     numbers = (int(_number(size, width, "--size")), int(_number(size, height, "--size")))
-    render(load_scenario(arguments.file, _overrides(arguments.set)), Path(arguments.out), numbers)
+    scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
+    render(scenario, Path(arguments.out), numbers)
     return 0
+
+
+def _tables(arguments: argparse.Namespace) -> int:
+    from . import tables
+
+    if arguments.knobs:
+        return tables.tell_knobs()
+    if arguments.check:
+        return tables.check(arguments.check)
+    if arguments.new:
+        return tables.new(Path(arguments.new), arguments.base)
+    if arguments.name:
+        return tables.tell(arguments.name, _overrides(arguments.set), _conditions(arguments))
+    return tables.tell_all()
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -87,6 +111,7 @@ def _parser() -> argparse.ArgumentParser:
             metavar="NAME=VALUE",
             help="override a knob: cloth.mu_roll=0.012",
         )
+        sub.add_argument("--conditions", default="", metavar="NAMES", help="lay over the table: heated,dirty-balls")
         return sub
 
     play = command("play", _play, "Open a window and play (also without a command).")
@@ -104,6 +129,13 @@ def _parser() -> argparse.ArgumentParser:
     render.add_argument("file", metavar="FILE", help="a scenario, .toml or .json")
     render.add_argument("out", metavar="OUT.png", help="the picture to write")
     render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
+
+    tables = command("tables", _tables, "List the tables, show one, check files, or start a table of your own.")
+    tables.add_argument("name", nargs="?", metavar="NAME", help="show this one: every knob, and where it comes from")
+    tables.add_argument("--knobs", action="store_true", help="print every knob: name, default, range, unit, text")
+    tables.add_argument("--check", nargs="+", metavar="FILE", help="say what is wrong with preset files")
+    tables.add_argument("--new", metavar="FILE.toml", help="write a preset to start from; replaces nothing")
+    tables.add_argument("--base", default="pool-9ft", metavar="NAME", help="what it starts from (pool-9ft)")
     return parser
 
 
@@ -111,7 +143,7 @@ class _Parser(argparse.ArgumentParser):
     """An ArgumentParser whose complaints are one line."""
 
     def error(self, message: str) -> Any:
-        raise InputError(self.prog, "", None, message)
+        raise InputError("command line", "", None, message)
 
 
 def _overrides(settings: list[str]) -> dict[str, Any]:
@@ -120,7 +152,7 @@ def _overrides(settings: list[str]) -> dict[str, Any]:
     for setting in settings:
         name, sign, text = setting.partition("=")
         if not sign:
-            raise InputError("--set", name, None, "allowed is NAME=VALUE, as in cloth.mu_roll=0.012")
+            raise InputError("--set", "", None, f"{setting!r} is not NAME=VALUE, as in cloth.mu_roll=0.012")
         try:
             overrides[name.strip()] = float(text)
         except ValueError:
@@ -129,18 +161,23 @@ def _overrides(settings: list[str]) -> dict[str, Any]:
     return overrides
 
 
+def _conditions(arguments: argparse.Namespace) -> list[str]:
+    """`--conditions A,B` as names."""
+    return [name.strip() for name in arguments.conditions.split(",") if name.strip()]
+
+
 def _number(knob: Knob, text: str, name: str) -> float:
     try:
         number: object = float(text)
     except ValueError:
         number = text
-    return float(knob.check(number, "pool2d", name))
+    return float(knob.check(number, "command line", name))
 
 
 def _whole(knob: Knob, text: str, name: str) -> int:
     number = _number(knob, text, name)
     if not number.is_integer():
-        raise InputError("pool2d", name, text, f"allowed is a whole number; {knob.allowed()}")
+        raise InputError("command line", name, text, f"allowed is a whole number; {knob.allowed()}")
     return int(number)
 
 

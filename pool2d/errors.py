@@ -10,16 +10,19 @@ from typing import Any
 class InputError(ValueError):
     """Bad input, told in one line: where it stands, which key, what value, what is allowed.
 
-    Attributes: `source` (a file, or whatever names the input), `key`, `value`, `allowed`. Without a
-    key the complaint is about the source as a whole.
+    Attributes: `source` (a file, or whatever names the input), `key`, `value`, `allowed`, and `line`, 0
+    where it is not known. Without a key the complaint is about the source as a whole.
     """
 
-    def __init__(self, source: str, key: str, value: object, allowed: str) -> None:
+    def __init__(self, source: str, key: str, value: object, allowed: str, line: int = 0) -> None:
         self.source = source
         self.key = key
         self.value = value
         self.allowed = allowed
-        super().__init__(_line(f"{source}: {key} = {_short(value)}: {allowed}" if key else f"{source}: {allowed}"))
+        self.line = line
+        where = f"{source}, line {line}" if line else source
+        said = f"{where}: {_clipped(key, 100)} = {_clipped(_repr(value), 60)}: {allowed}"
+        super().__init__(_line(said if key else f"{source}: {allowed}"))
 
     def at(self, source: str) -> InputError:
         """The same complaint, said of another source."""
@@ -53,6 +56,12 @@ def _line(text: str) -> str:
     return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
 
 
-def _short(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
+def _repr(value: object) -> str:
+    try:
+        return repr(value)
+    except RecursionError:
+        return "(nested too deep)"
+
+
+def _clipped(text: str, most: int) -> str:
+    return text if len(text) <= most else text[: most - 3] + "..."

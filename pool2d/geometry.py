@@ -1,32 +1,39 @@
 """From a table's sizes to the shapes that balls meet: noses, facings, rounded jaws and drops.
 
-An outline is a polygon of corners, counter-clockwise, with the playing surface on its left. A corner
-may hold a pocket, also where the outline goes straight on: a side pocket is a corner of 180 degrees.
+An outline (see `outline`) is a polygon of corners, counter-clockwise, with the playing surface on its
+left. A corner may hold a pocket, also where the outline goes straight on: a side pocket is a corner of
+180 degrees. Where the outline turns outward, as at the inner corner of an L, the nose is rounded.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .errors import InputError
 from .knobs import knob
+from .outline import Corner, Point, distance_to_edge, edges, turn_at
 from .physics.detect import Element, Jaw, Pocket, Rail
 
-Point = tuple[float, float]
+# The least room between a pocket's hole and a cushion elsewhere, m: the largest ball's radius.
+_ROOM = 0.06
+# An outline that bends by no more than this, radians, goes straight on.
+_STRAIGHT = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class TableKnobs:
     length: float = knob(2.54, 0.5, 6.0, "m", "length of the playing surface, nose to nose")
     width: float = knob(1.27, 0.3, 4.0, "m", "width of the playing surface, nose to nose")
+    nose_radius: float = knob(0.03, 0.0, 0.5, "m", "rounding of the nose where the outline turns outward")
 
 
 @dataclass(frozen=True, slots=True)
 class CornerKnobs:
     mouth: float = knob(0.1159, 0.04, 0.3, "m", "width of a corner pocket between the tips of its jaws")
     angle: float = knob(142.0, 95.0, 170.0, "degrees", "angle between nose and facing at a corner pocket")
-    shelf: float = knob(0.0413, 0.0, 0.2, "m", "from a corner pocket's mouth to where the slate ends")
+    shelf: float = knob(0.0413, 0.0, 0.1, "m", "from a corner pocket's mouth to where the slate ends")
     jaw_radius: float = knob(0.01, 0.0, 0.2, "m", "rounding of a corner pocket's jaws")
     drop_radius: float = knob(0.06, 0.02, 0.2, "m", "radius of a corner pocket's hole in the slate")
 
@@ -34,31 +41,22 @@ class CornerKnobs:
 @dataclass(frozen=True, slots=True)
 class SideKnobs:
     mouth: float = knob(0.1286, 0.04, 0.3, "m", "width of a side pocket between the tips of its jaws")
-    angle: float = knob(104.0, 91.0, 170.0, "degrees", "angle between nose and facing at a side pocket")
-    shelf: float = knob(0.0048, 0.0, 0.2, "m", "from a side pocket's mouth to where the slate ends")
+    angle: float = knob(104.0, 90.0, 170.0, "degrees", "angle between nose and facing at a side pocket")
+    shelf: float = knob(0.0048, 0.0, 0.06, "m", "from a side pocket's mouth to where the slate ends")
     jaw_radius: float = knob(0.008, 0.0, 0.2, "m", "rounding of a side pocket's jaws")
     drop_radius: float = knob(0.06, 0.02, 0.2, "m", "radius of a side pocket's hole in the slate")
-
-
-@dataclass(frozen=True, slots=True)
-class Corner:
-    """A corner of the outline: where, the name of the cushion that leaves it, and its pocket if any."""
-
-    x: float
-    y: float
-    cushion: str
-    pocket: str = ""
-    kind: str = "corner"
 
 
 @dataclass(frozen=True, slots=True)
 class Geometry:
     """The built table.
 
-    `elements` are what balls meet; `cushions` their fronts as polylines, by name, for drawing;
-    `outline` goes once round the cloth, through the throats of the pockets.
+    `corners` are the outline's; `elements` what balls meet; `cushions` the cushions' fronts as
+    polylines, by name, one from each corner to the next; `outline` goes once round the cloth, through
+    the throats of the pockets.
     """
 
+    corners: tuple[Corner, ...]
     elements: tuple[Element, ...]
     cushions: dict[str, tuple[Point, ...]]
     outline: tuple[Point, ...]
@@ -68,47 +66,45 @@ class Geometry:
         return [element for element in self.elements if isinstance(element, Pocket)]
 
 
-def rectangle(length: float, width: float) -> list[Corner]:
-    """The usual table: pockets in the corners and in the middle of the long sides."""
-    return [
-        Corner(0.0, 0.0, "bottom-left", "bottom-left"),
-        Corner(length / 2, 0.0, "bottom-right", "bottom-side", "side"),
-        Corner(length, 0.0, "right", "bottom-right"),
-        Corner(length, width, "top-right", "top-right"),
-        Corner(length / 2, width, "top-left", "top-side", "side"),
-        Corner(0.0, width, "left", "top-left"),
-    ]
-
-
-def build(corners: list[Corner], corner: CornerKnobs, side: SideKnobs, source: str) -> Geometry:
+def build(corners: Sequence[Corner], table: TableKnobs, corner: CornerKnobs, side: SideKnobs, source: str) -> Geometry:
     """Noses, facings, jaws and drops along an outline.
 
-    Raises InputError where a pocket's numbers contradict each other, or leave no cushion between two.
+    Raises InputError where a pocket's numbers contradict each other, leave no cushion between two
+    pockets, or reach another cushion.
     """
     elements: list[Element] = []
     drops: list[Element] = []
     cushions: dict[str, tuple[Point, ...]] = {}
     for i, here in enumerate(corners):
-        after = corners[(i + 1) % len(corners)]
+        j = (i + 1) % len(corners)
+        after, turn = corners[j], turn_at(corners, i)
         length = math.hypot(after.x - here.x, after.y - here.y)
         dx, dy = (after.x - here.x) / length, (after.y - here.y) / length
-        turn = _turn(corners, i)
-        knobs = side if here.kind == "side" else corner
+        knobs, other = (side if each.kind == "side" else corner for each in (here, after))
         if here.pocket:
             _check(here.kind, turn, knobs, source)
             drops.append(_drop(here, turn, (dx, dy), knobs))
-        first = _end(here, turn, (dx, dy), 1.0, knobs)
-        other = side if after.kind == "side" else corner
-        last = _end(after, _turn(corners, (i + 1) % len(corners)), (-dx, -dy), -1.0, other)
+        first = _end(here, turn, (dx, dy), 1.0, knobs, table)
+        last = _end(after, turn_at(corners, j), (-dx, -dy), -1.0, other, table)
         if (last.nose[0] - first.nose[0]) * dx + (last.nose[1] - first.nose[1]) * dy <= 0.0:
-            raise InputError(
-                source, "corner.mouth, side.mouth", (corner.mouth, side.mouth),
-                f"the pockets leave no {here.cushion} cushion between them",
-            )  # fmt: skip
+            raise _no_nose(here, after, table, corner, side, source)
         elements += [*first.elements, Rail(here.cushion, *first.nose, *last.nose), *last.elements]
         cushions[here.cushion] = (*reversed(first.front), *last.front)
     outline = tuple(point for front in cushions.values() for point in front)
-    return Geometry((*elements, *drops), cushions, outline)
+    geometry = Geometry(tuple(corners), (*elements, *drops), cushions, outline)
+    _check_apart(geometry, source)
+    return geometry
+
+
+def _no_nose(
+    here: Corner, after: Corner, table: TableKnobs, corner: CornerKnobs, side: SideKnobs, source: str
+) -> InputError:
+    """The complaint that nothing is left of a cushion."""
+    key, value = "corner.mouth, side.mouth", (corner.mouth, side.mouth)
+    if here.pocket and after.pocket:
+        return InputError(source, key, value, f"the pockets leave no {here.cushion} cushion between them")
+    allowed = f"pocket and rounding leave no {here.cushion} cushion"
+    return InputError(source, f"{key}, table.nose_radius", (*value, table.nose_radius), allowed)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,13 +116,15 @@ class _End:
     front: list[Point]
 
 
-def _end(corner: Corner, turn: float, away: Point, hand: float, knobs: CornerKnobs | SideKnobs) -> _End:
+def _end(
+    corner: Corner, turn: float, away: Point, hand: float, knobs: CornerKnobs | SideKnobs, table: TableKnobs
+) -> _End:
     """The end of a cushion at `corner`; `away` points from there along the cushion.
 
     `hand` is +1 where the cushion leaves the corner, -1 where it arrives. `turn` is the interior angle.
     """
     if not corner.pocket:
-        return _End((corner.x, corner.y), [], [(corner.x, corner.y)])
+        return _bend(corner, turn, away, hand, table.nose_radius)
     name = f"{corner.pocket} jaw"
     ax, ay = away
     # Into the cushion: to the right of the outline's way.
@@ -144,6 +142,38 @@ def _end(corner: Corner, turn: float, away: Point, hand: float, knobs: CornerKno
     back = (tx + fx * length, ty + fy * length)
     facing = Rail(name, *back, *inner) if hand > 0.0 else Rail(name, *inner, *back)
     return _End(nose, [facing, Jaw(name, *centre, knobs.jaw_radius)], [*_arc(centre, nose, inner), back])
+
+
+def _bend(corner: Corner, turn: float, away: Point, hand: float, radius: float) -> _End:
+    """The end of a cushion where there is no pocket: the corner itself, or a rounding if it turns outward.
+
+    The rounding touches both noses; it belongs to the cushion that leaves.
+    """
+    if turn <= math.pi + _STRAIGHT:
+        return _End((corner.x, corner.y), [], [(corner.x, corner.y)])
+    ax, ay = away
+    trim = radius / math.tan(math.pi - turn / 2.0)
+    nose = (corner.x + ax * trim, corner.y + ay * trim)
+    if hand < 0.0:
+        return _End(nose, [], [nose])
+    centre = (nose[0] + ay * radius, nose[1] - ax * radius)
+    # From here the nose that arrives lies at the interior angle.
+    bx, by = ax * math.cos(turn) - ay * math.sin(turn), ay * math.cos(turn) + ax * math.sin(turn)
+    other = (corner.x + bx * trim, corner.y + by * trim)
+    return _End(nose, [Jaw(corner.cushion, *centre, radius)], _arc(centre, nose, other))
+
+
+def _check_apart(geometry: Geometry, source: str) -> None:
+    """Raises InputError where a pocket reaches another cushion than the two it lies between."""
+    corners = geometry.corners
+    for pocket in geometry.pockets:
+        at = next(i for i, corner in enumerate(corners) if corner.pocket == pocket.name)
+        for i, edge in enumerate(edges(corners)):
+            if i in (at, (at - 1) % len(corners)):
+                continue
+            if distance_to_edge(pocket.x, pocket.y, edge) < pocket.radius + _ROOM:
+                key, allowed = f"outline, pocket {pocket.name}", f"it reaches the {edge[0].cushion} cushion"
+                raise InputError(source, key, (round(pocket.x, 4), round(pocket.y, 4)), allowed)
 
 
 def _check(kind: str, turn: float, knobs: CornerKnobs | SideKnobs, source: str) -> None:
@@ -172,14 +202,6 @@ def _drop(corner: Corner, turn: float, towards: Point, knobs: CornerKnobs | Side
     uy = towards[0] * math.sin(half) + towards[1] * math.cos(half)
     place = knobs.mouth / (2.0 * math.tan(half)) - knobs.shelf - knobs.drop_radius
     return Pocket(corner.pocket, corner.x + ux * place, corner.y + uy * place, knobs.drop_radius)
-
-
-def _turn(corners: list[Corner], i: int) -> float:
-    """The interior angle of the outline at corner i, in radians."""
-    before, here, after = corners[i - 1], corners[i], corners[(i + 1) % len(corners)]
-    ahead = math.atan2(after.y - here.y, after.x - here.x)
-    back = math.atan2(before.y - here.y, before.x - here.x)
-    return (back - ahead) % math.tau
 
 
 def _arc(centre: Point, start: Point, end: Point, steps: int = 6) -> list[Point]:

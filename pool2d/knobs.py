@@ -19,7 +19,7 @@ Group = TypeVar("Group")
 
 @dataclass(frozen=True, slots=True)
 class Knob:
-    """A parameter's default, range (or choices), unit and one line of text."""
+    """A parameter's default, range (or choices), unit and one line of text; `label` is what a slider is called."""
 
     default: float | str
     lo: float
@@ -27,6 +27,7 @@ class Knob:
     unit: str
     doc: str
     choices: tuple[str, ...] = ()
+    label: str = ""
 
     def allowed(self) -> str:
         """What a value may be, in words."""
@@ -50,14 +51,14 @@ class Knob:
         raise InputError(source, name, value, f"allowed is {self.allowed()}")
 
 
-def knob(default: float, lo: float, hi: float, unit: str, doc: str) -> Any:
+def knob(default: float, lo: float, hi: float, unit: str, doc: str, label: str = "") -> Any:
     """A number within a range, as a dataclass field."""
-    return field(default=default, metadata={_KNOB: Knob(default, lo, hi, unit, doc)})
+    return field(default=default, metadata={_KNOB: Knob(default, lo, hi, unit, doc, label=label)})
 
 
-def choice(default: str, choices: tuple[str, ...], doc: str) -> Any:
+def choice(default: str, choices: tuple[str, ...], doc: str, label: str = "") -> Any:
     """A name out of a few, as a dataclass field."""
-    return field(default=default, metadata={_KNOB: Knob(default, 0.0, 0.0, "", doc, choices)})
+    return field(default=default, metadata={_KNOB: Knob(default, 0.0, 0.0, "", doc, choices, label)})
 
 
 def walk(group: object, prefix: str = "") -> Iterator[tuple[str, Knob, float | str]]:

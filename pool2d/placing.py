@@ -25,9 +25,9 @@ RANGES: dict[str, Knob] = {
     "y": Knob(0.0, -100.0, 100.0, "m", "place across the table"),
     "vx": Knob(0.0, -50.0, 50.0, "m/s", "velocity along the table"),
     "vy": Knob(0.0, -50.0, 50.0, "m/s", "velocity across the table"),
-    "wx": Knob(0.0, -5000.0, 5000.0, "rad/s", "spin about the table's length"),
-    "wy": Knob(0.0, -5000.0, 5000.0, "rad/s", "spin about the table's width"),
-    "wz": Knob(0.0, -5000.0, 5000.0, "rad/s", "spin about the vertical"),
+    "wx": Knob(0.0, -1000.0, 1000.0, "rad/s", "spin about the table's length"),
+    "wy": Knob(0.0, -1000.0, 1000.0, "rad/s", "spin about the table's width"),
+    "wz": Knob(0.0, -1000.0, 1000.0, "rad/s", "spin about the vertical"),
     "radius": Knob(0.028575, 0.01, 0.06, "m", "radius, the table's own where not given"),
     "mass": Knob(0.17, 0.01, 2.0, "kg", "mass, the table's own where not given"),
 }
@@ -40,19 +40,22 @@ def settle(table: Table, layout: Layout) -> Layout:
     for balls that overlap by more than rounding, or that cannot be set apart.
     """
     given = sorted(layout.on_table())
-    for i, ball in enumerate(given):
-        _check(table, ball)
-        _check_pairs(table, ball, given[:i])
+    gaps = [_check(table, ball) for ball in given]
+    largest = max((2.0 * table.body_of(ball)[0] for ball in given), default=0.0)
+    close = [(a, b) for i, b in enumerate(given) for a in given[:i] if abs(a.x - b.x) < largest > abs(a.y - b.y)]
+    overlaps = [_overlap(table, a, b) for a, b in close]
+    if all(gap >= -CLOSE for gap in gaps) and all(overlap <= CLOSE for overlap in overlaps):
+        return layout
     balls = list(given)
     # Setting one pair apart presses the next; a rack settles in some tens of rounds.
     for _ in range(ROUNDS):
         if not _set_apart(table, balls):
-            moved = [ball for ball, old in zip(balls, given, strict=True) if ball is not old]
-            return layout.put(*moved) if moved else layout
+            return layout.put(*(ball for ball, old in zip(balls, given, strict=True) if ball is not old))
     raise InputError(table.source, "balls", [ball.id for ball in given], "the balls overlap and have no room to part")
 
 
-def _check(table: Table, ball: Ball) -> None:
+def _check(table: Table, ball: Ball) -> float:
+    """The room between a ball and the nearest element, m; raises InputError where the ball may not stand."""
     source = table.source
     for name in MOTION_FIELDS:
         RANGES[name].check(getattr(ball, name), source, f"balls.{ball.id}.{name}")
@@ -68,7 +71,7 @@ def _check(table: Table, ball: Ball) -> None:
         knobs, reach = table.knobs.table, table.reach(radius)
         allowed = (
             f"the ball is off the table; allowed is x from {reach:.4f} to {knobs.length - reach:.4f} m"
-            f" and y from {reach:.4f} to {knobs.width - reach:.4f} m"
+            f" and y from {reach:.4f} to {knobs.width - reach:.4f} m, within the outline"
         )
         raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
     gap, element = table.element_gap(ball.x, ball.y, radius)
@@ -76,16 +79,16 @@ def _check(table: Table, ball: Ball) -> None:
         what = "in the pocket" if isinstance(element, Pocket) else "inside the cushion"
         allowed = f"the ball is {what} {element.name}, by {-gap:.3g} m; allowed is none"
         raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
+    return gap
 
 
-def _check_pairs(table: Table, ball: Ball, others: list[Ball]) -> None:
-    for other in others:
-        overlap = table.touch(ball, other) - math.hypot(ball.x - other.x, ball.y - other.y)
-        if overlap > 2.0 * SLACK:
-            raise InputError(
-                table.source, f"balls.{ball.id}, balls.{other.id}", (ball.x, ball.y),
-                f"the balls overlap by {overlap:.3g} m; allowed is none",
-            )  # fmt: skip
+def _overlap(table: Table, a: Ball, b: Ball) -> float:
+    """How far two balls are drawn into each other; raises InputError where that is more than rounding."""
+    overlap = table.touch(a, b) - math.hypot(a.x - b.x, a.y - b.y)
+    if overlap > 2.0 * SLACK:
+        allowed = f"the balls overlap by {overlap:.3g} m; allowed is none"
+        raise InputError(table.source, f"balls.{b.id}, balls.{a.id}", (b.x, b.y), allowed)
+    return overlap
 
 
 def _set_apart(table: Table, balls: list[Ball]) -> bool:

@@ -1,160 +1,228 @@
-"""Table presets: TOML files under `assets/tables`, or anywhere."""
+"""Table presets: TOML files that hold a table's knobs and furniture, or what differs from a base.
+
+Sections are merged key by key, the base's below the file's own. What a key holds is replaced whole: a
+rack, a group of balls, the spots; so is the outline.
+"""
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Mapping
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .assets import asset, assets
+from . import library
 from .errors import InputError, suggest
-from .knobs import Knob, apply, walk
-from .racks import Furniture, Rack
+from .files import line_of, read_toml, to_toml, write_text
+from .furnish import SECTIONS, furnish
+from .knobs import apply, walk
+from .racks import Furniture
 from .table import Knobs, Table
 
-_PARTS = ("name", "marks", "balls", "racks")
+_GROUPS = tuple(dict.fromkeys(name.partition(".")[0] for name, _, _ in walk(Knobs()) if "." in name))
+_PLAIN = ("name", "base", "gravity", "outline")
+_CONDITIONS = ("cloth", "ball", "cushion")
 
 
-def load_table(name: str | Path, overrides: Mapping[str, Any] | None = None) -> Table:
+@dataclass(frozen=True, slots=True)
+class Preset:
+    """A preset as read: `origins` says of each knob that was set which file, or conditions, set it."""
+
+    source: str
+    title: str
+    knobs: Knobs
+    furniture: Furniture
+    origins: Mapping[str, str]
+
+
+def load_table(name: str | Path, overrides: Mapping[str, Any] | None = None, conditions: Sequence[str] = ()) -> Table:
     """A table by preset name ("pool-9ft"), or from a .toml file.
 
-    `overrides` sets dotted knobs on top. Raises InputError, naming the file and the key.
+    `conditions` are laid over the preset, and `overrides`, dotted knobs, on top. Raises InputError,
+    naming the file and the key.
     """
-    source, path = str(name), preset_path(str(name))
-    if not source.endswith(".toml") and source not in presets():
-        raise InputError("table", "table", source, f"{suggest(source, presets())}; or a path to a .toml file")
-    data = read_toml(path)
-    groups = {name.partition(".")[0] for name, _, _ in walk(Knobs())}
-    for key in data:
-        if key not in groups and key not in _PARTS:
-            raise InputError(source, key, data[key], suggest(key, (*groups, *_PARTS)))
-    knobs = apply(Knobs(), _dotted({key: data[key] for key in data if key in groups}, source), source)
-    title = data.get("name", path.stem)
-    if not isinstance(title, str):
-        raise InputError(source, "name", title, "allowed is a text")
-    return Table(source, title, knobs, _furniture(data, source), overrides)
+    try:
+        preset = read_preset(str(name), conditions)
+        return Table(preset.source, preset.title, preset.knobs, preset.furniture, overrides, conditions)
+    except InputError as error:
+        raise _located(error, overrides or {}) from None
 
 
-def preset_path(name: str) -> Path:
-    """The file behind a preset's name or path."""
-    return Path(name) if name.endswith(".toml") else asset("tables", name + ".toml")
+def _located(error: InputError, overrides: Mapping[str, Any]) -> InputError:
+    """The complaint with the line of the file that it is about, where that can be told."""
+    if not error.key or error.key in overrides:
+        return error
+    try:
+        line = line_of(preset_path(error.source), error.key)
+    except InputError:
+        return error
+    return InputError(error.source, error.key, error.value, error.allowed, line)
 
 
 def presets() -> list[str]:
-    """The names of the shipped presets."""
-    return sorted(path.stem for path in assets("tables", ".toml"))
+    """The names of all presets, the shipped ones first, then the user's own."""
+    return library.shipped(library.TABLES) + library.own(library.TABLES)
 
 
-def read_toml(path: Path) -> dict[str, Any]:
-    """A TOML file's content; raises InputError where it cannot be read or is not TOML."""
+def conditions() -> list[str]:
+    """The names of all conditions, the shipped ones first, then the user's own."""
+    return library.shipped(library.CONDITIONS) + library.own(library.CONDITIONS)
+
+
+def preset_path(name: str) -> Path:
+    """The file behind a preset's name or path; raises InputError for an unknown name."""
+    return library.find(library.TABLES, name)
+
+
+def preset_files(table: Table) -> list[Path]:
+    """The files that a table was read from: its preset, the bases, the conditions."""
+    bases = [preset_path(source) for source, _ in _chain(table.source)]
+    return bases + [library.find(library.CONDITIONS, name) for name in table.conditions]
+
+
+def read_preset(name: str, conditions: Sequence[str] = ()) -> Preset:
+    """A preset with its bases and conditions; raises InputError, naming the file and the key."""
+    chain = _chain(name)
+    knobs, merged, origins = Knobs(), dict[str, Any](), dict[str, str]()
+    for source, data in reversed(chain):
+        values = _dotted({key: data[key] for key in data if key in _GROUPS or key == "gravity"})
+        knobs = apply(knobs, values, source)
+        for key, value in data.items():
+            if isinstance(value, dict):
+                merged.setdefault(key, {}).update(value)
+                origins.update({f"{key}.{inner}": source for inner in value})
+            else:
+                merged[key] = value
+                origins[key] = source
     try:
-        return tomllib.loads(path.read_bytes().decode("utf-8"))
-    except OSError as error:
-        raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
-    except (ValueError, RecursionError) as error:
-        raise InputError(str(path), "", None, f"not a TOML file: {error}") from error
+        furniture = furnish(merged, knobs.table.length, knobs.table.width, name)
+    except InputError as error:
+        # What is wrong may stand in a base.
+        raise error.at(_origin(error.key, origins) or name) from None
+    for condition in conditions:
+        values = _condition(condition)
+        knobs = apply(knobs, values, condition)
+        origins.update(dict.fromkeys(values, f"conditions {condition}"))
+    title = chain[0][1].get("name", preset_path(name).stem)
+    return Preset(name, title, knobs, furniture, origins)
 
 
-def _dotted(data: Mapping[str, Any], source: str) -> dict[str, Any]:
+def condition_title(name: str) -> str:
+    """The title of conditions; raises InputError."""
+    data = read_toml(library.find(library.CONDITIONS, name))
+    return str(data.get("name", name))
+
+
+def differences(table: Table) -> dict[str, float | str]:
+    """The knobs that conditions or hands have turned away from the table's preset; raises InputError."""
+    plain = {name: value for name, _, value in walk(read_preset(table.source).knobs)}
+    return {name: value for name, _, value in walk(table.knobs) if value != plain[name]}
+
+
+def save_preset(name: str, base: str, overrides: Mapping[str, float | str], title: str) -> Path:
+    """Keep a table as the user's own preset `name`: a base, and dotted knobs that differ from it.
+
+    Returns the file. Raises InputError for a name that is not a plain file name or is a shipped one,
+    and for what no table can be built of; nothing is written then.
+    """
+    path = library.own_path(library.TABLES, name)
+    if not title.isprintable():
+        raise InputError("save", "title", title, "allowed is a text of printable characters")
+    load_table(base, overrides)
+    chain, below = _chain(base), _same(preset_path(base), path)
+    if not below and any(_same(preset_path(source), path) for source, _ in chain):
+        raise InputError("save", "name", name, f"allowed is another name; {base} builds on this one")
+    if below:
+        # Saved over itself: it keeps what it has, and its own base.
+        data = {key: dict(value) if isinstance(value, dict) else value for key, value in chain[0][1].items()}
+    else:
+        data = {"base": Path(base).absolute().as_posix() if base.endswith(".toml") else base}
+    data = {"name": title, **{key: value for key, value in data.items() if key != "name"}}
+    for dotted, value in overrides.items():
+        group, dot, key = dotted.partition(".")
+        if dot:
+            data.setdefault(group, {})[key] = value
+        else:
+            data[dotted] = value
+    write_text(path, to_toml(data))
+    return path
+
+
+def _chain(name: str) -> list[tuple[str, dict[str, Any]]]:
+    """A preset's file and its bases, nearest first, as (name or path, content)."""
+    chain: list[tuple[str, dict[str, Any]]] = []
+    seen: list[Path] = []
+    source, path = name, preset_path(name)
+    while True:
+        data = read_toml(path)
+        _check(data, source, (*_PLAIN, *_GROUPS, *SECTIONS), _PLAIN)
+        chain.append((source, data))
+        seen.append(path)
+        base = data.get("base")
+        if base is None:
+            return chain
+        path = _base_path(base, source, path)
+        source = str(path) if base.endswith(".toml") else base
+        if any(_same(path, other) for other in seen):
+            raise InputError(chain[-1][0], "base", base, "allowed is none that builds on this file itself")
+
+
+def _base_path(base: Any, source: str, path: Path) -> Path:
+    if not isinstance(base, str):
+        raise InputError(source, "base", base, "allowed is a preset's name or a path to a .toml file")
+    if base.endswith(".toml"):
+        return path.parent / base
+    try:
+        return preset_path(base)
+    except InputError as error:
+        raise InputError(source, "base", base, error.allowed) from None
+
+
+def _same(a: Path, b: Path) -> bool:
+    """Whether two paths lead to the same file, there or not."""
+    try:
+        return os.path.realpath(a) == os.path.realpath(b)
+    except (OSError, ValueError):
+        return False
+
+
+def _condition(name: Any) -> dict[str, Any]:
+    """The knobs of conditions, dotted."""
+    if not isinstance(name, str):
+        raise InputError("conditions", "conditions", name, "allowed is a name")
+    data = read_toml(library.find(library.CONDITIONS, name))
+    _check(data, name, ("name", *_CONDITIONS), ("name",))
+    return _dotted({key: value for key, value in data.items() if key != "name"})
+
+
+def _check(data: Mapping[str, Any], source: str, known: Sequence[str], plain: Sequence[str]) -> None:
+    """Raises InputError for an unknown key, a section that is none, or a name that is no text."""
+    for key, value in data.items():
+        if key not in known:
+            raise InputError(source, key, value, suggest(key, known))
+        if key not in plain and not isinstance(value, dict):
+            raise InputError(source, key, value, "allowed is a section of keys and values")
+    title = data.get("name", "")
+    if not isinstance(title, str):
+        raise InputError(source, "name", title, "allowed is a text")
+    if isinstance(data.get("gravity"), dict):
+        raise InputError(source, "gravity", data["gravity"], "allowed is a number")
+
+
+def _dotted(data: Mapping[str, Any]) -> dict[str, Any]:
     """Sections and keys as dotted knob names."""
     flat: dict[str, Any] = {}
     for key, value in data.items():
-        if isinstance(value, dict):
-            flat.update({f"{key}.{name}": inner for name, inner in value.items()})
-        else:
-            flat[key] = value
+        flat.update(
+            {f"{key}.{name}": inner for name, inner in value.items()} if isinstance(value, dict) else {key: value}
+        )
     return flat
 
 
-_PLACE = Knob(0.0, -10.0, 10.0, "m", "")
-_GAP = Knob(0.0, 0.0, 0.01, "m", "")
-_COUNT = Knob(0.0, 0.0, 100.0, "", "")
-
-
-def _furniture(data: Mapping[str, Any], source: str) -> Furniture:
-    marks = _section(data, "marks", ("head_string", "sights", "sight_inset", "spots"), source)
-    line = marks.get("head_string")
-    spots = {
-        name: _spot(place, source, f"marks.spots.{name}")
-        for name, place in _table(marks.get("spots", {}), source, "marks.spots").items()
-    }
-    balls = dict(_table(data.get("balls", {}), source, "balls"))
-    cue = balls.pop("cue", "cue")
-    if not isinstance(cue, str):
-        raise InputError(source, "balls.cue", cue, "allowed is a ball's id")
-    groups = {name: _ids(ids, source, f"balls.{name}") for name, ids in balls.items()}
-    every = [cue, *(ball for ids in groups.values() for ball in ids)]
-    for ball in every:
-        if every.count(ball) > 1:
-            raise InputError(source, "balls", ball, "more than one ball has this id")
-    furniture = Furniture(
-        None if line is None else float(_PLACE.check(line, source, "marks.head_string")),
-        int(_COUNT.check(marks.get("sights", 0), source, "marks.sights")),
-        float(_PLACE.check(marks.get("sight_inset", 0.0), source, "marks.sight_inset")),
-        spots,
-        cue,
-        groups,
-    )
-    for name, rack in _table(data.get("racks", {}), source, "racks").items():
-        furniture.racks[name] = _rack(rack, furniture, source, f"racks.{name}")
-    return furniture
-
-
-def _rack(data: Any, furniture: Furniture, source: str, key: str) -> Rack:
-    data = _table(data, source, key)
-    for name in data:
-        if name not in ("spot", "gap", "rows"):
-            raise InputError(source, f"{key}.{name}", data[name], suggest(name, ("spot", "gap", "rows")))
-    spot = data.get("spot")
-    for needed in (spot, "head"):
-        if needed not in furniture.spots:
-            raise InputError(source, f"{key}.spot", needed, "not a spot under marks.spots")
-    rows = data.get("rows")
-    if not isinstance(rows, list):
-        raise InputError(source, f"{key}.rows", rows, "allowed is a list of rows, each a list of slots")
-    filled = tuple(_ids(row, source, f"{key}.rows") for row in rows)
-    _check_slots([slot for row in filled for slot in row], furniture, source, f"{key}.rows")
-    return Rack(spot, filled, float(_GAP.check(data.get("gap", 0.0), source, f"{key}.gap")))
-
-
-def _check_slots(slots: list[str], furniture: Furniture, source: str, key: str) -> None:
-    """Raises InputError for a slot that names nothing, and where a group or the set runs out."""
-    balls, groups = furniture.balls, furniture.groups
-    for slot in slots:
-        if slot not in ("any", *groups, *balls):
-            raise InputError(source, key, slot, suggest(slot, ("any", *groups, *balls)))
-        if slots.count(slot) > 1 and slot in balls and slot not in groups:
-            raise InputError(source, key, slot, "more than one slot names this ball")
-    for name, group in groups.items():
-        spare = [ball for ball in group if ball not in slots]
-        if slots.count(name) > len(spare):
-            raise InputError(source, key, name, f"more slots than the {len(spare)} balls left in the group")
-    if len(slots) > len(balls):
-        raise InputError(source, key, len(slots), f"more slots than the {len(balls)} balls under [balls]")
-
-
-def _section(data: Mapping[str, Any], key: str, names: tuple[str, ...], source: str) -> Mapping[str, Any]:
-    section = _table(data.get(key, {}), source, key)
-    for name in section:
-        if name not in names:
-            raise InputError(source, f"{key}.{name}", section[name], suggest(name, names))
-    return section
-
-
-def _table(value: Any, source: str, key: str) -> Mapping[str, Any]:
-    if not isinstance(value, dict):
-        raise InputError(source, key, value, "allowed is a section of keys and values")
-    return value
-
-
-def _spot(value: Any, source: str, key: str) -> tuple[float, float]:
-    if not isinstance(value, list) or len(value) != 2:
-        raise InputError(source, key, value, "allowed is [x, y] in m")
-    return float(_PLACE.check(value[0], source, key)), float(_PLACE.check(value[1], source, key))
-
-
-def _ids(value: Any, source: str, key: str) -> tuple[str, ...]:
-    if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
-        raise InputError(source, key, value, "allowed is a list of texts")
-    return tuple(value)
+def _origin(key: str, origins: Mapping[str, str]) -> str | None:
+    """Which file holds the value that a complaint's key is about."""
+    part = key.partition("[")[0]
+    while part and part not in origins:
+        part = part.rpartition(".")[0]
+    return origins.get(part)

@@ -1,37 +1,63 @@
-"""The furniture of a table: spots, lines, ball groups and racks, and how a rack is filled."""
+"""The furniture of a table: its outline, spots, lines, balls and racks, and how a rack is filled."""
 
 from __future__ import annotations
 
 import math
 import random
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from .outline import RECTANGLE, Corner, Point
 from .physics.values import Ball, Layout
 
 
 @dataclass(frozen=True, slots=True)
 class Rack:
-    """Balls in a triangular lattice: `rows` lead from the spot away from the head.
+    """How the balls stand at the start: `rows` of a triangular lattice and `placed` ones.
 
-    A slot names a ball, a group, or "any". `gap` is the room between neighbours, m.
+    The rows lead from `spot` away from the head; row number `on` lies on it, counted from 1. A slot
+    names a ball, a group, or "any" of `balls` that is left. `gap` is the room between neighbours, m.
+    `placed` balls stand where it says, as does the cue ball.
     """
 
-    spot: str
-    rows: tuple[tuple[str, ...], ...]
+    cue: Point
+    spot: Point = (0.0, 0.0)
+    on: int = 1
+    rows: tuple[tuple[str, ...], ...] = ()
+    balls: tuple[str, ...] = ()
     gap: float = 0.0
+    placed: Mapping[str, Point] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """What a ball looks like: colour as "#rrggbb", a stripe, dots, and a number, or none."""
+
+    color: str
+    stripe: bool = False
+    dots: bool = False
+    number: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Furniture:
-    """What stands on a table and is marked on it: the preset's marks, balls and racks."""
+    """What a preset says beside its knobs: outline, marks, balls and racks.
 
+    `outline` is in parts of the table's length and width; `head_string` and `d_radius` in m. Of balls
+    that are unlike the others, `sizes` gives radius and mass, in m and kg, and `looks` the look.
+    """
+
+    outline: tuple[Corner, ...] = RECTANGLE
     head_string: float | None = None
+    d_radius: float = 0.0
     sights: int = 0
     sight_inset: float = 0.0
-    spots: dict[str, tuple[float, float]] = field(default_factory=dict)
+    spots: Mapping[str, Point] = field(default_factory=dict)
     cue: str = "cue"
-    groups: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    racks: dict[str, Rack] = field(default_factory=dict)
+    groups: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    sizes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    looks: Mapping[str, Look] = field(default_factory=dict)
+    racks: Mapping[str, Rack] = field(default_factory=dict)
 
     @property
     def balls(self) -> list[str]:
@@ -40,7 +66,7 @@ class Furniture:
 
 
 def arrange(furniture: Furniture, name: str, radius: float, rng: random.Random) -> Layout:
-    """The balls of the rack `name`, and the cue ball on the head spot.
+    """The balls of the rack `name`, and the cue ball.
 
     Open slots are drawn; the rack is mirrored or not; each ball lies somewhere within its gap.
     """
@@ -48,23 +74,24 @@ def arrange(furniture: Furniture, name: str, radius: float, rng: random.Random) 
     filled = _fill(rack, furniture, rng)
     if rng.random() < 0.5:
         filled = [row[::-1] for row in filled]
-    x0, y0 = furniture.spots[rack.spot]
+    x0, y0 = rack.spot
     pitch = 2.0 * radius + rack.gap
     play = rack.gap / 2.0
-    balls = [Ball(furniture.cue, *furniture.spots["head"])]
+    balls = [Ball(furniture.cue, *rack.cue)]
     for i, row in enumerate(filled):
         for j, ball in enumerate(row):
             off, way = play * rng.random(), math.tau * rng.random()
-            x = x0 + i * pitch * math.sqrt(0.75) + off * math.cos(way)
+            x = x0 + (i + 1 - rack.on) * pitch * math.sqrt(0.75) + off * math.cos(way)
             y = y0 + (j - (len(row) - 1) / 2.0) * pitch + off * math.sin(way)
             balls.append(Ball(ball, x, y))
+    balls += [Ball(ball, *place) for ball, place in rack.placed.items()]
     return Layout(balls)
 
 
 def _fill(rack: Rack, furniture: Furniture, rng: random.Random) -> list[list[str]]:
     """The rack's slots as balls: named ones first, then groups, then any."""
-    named = {slot for row in rack.rows for slot in row}
-    left = [ball for ball in furniture.balls if ball not in named]
+    named = {slot for row in rack.rows for slot in row} | set(rack.placed)
+    left = [ball for ball in rack.balls if ball not in named]
     rng.shuffle(left)
 
     def draw(slot: str) -> str:

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from .errors import InputError, suggest
+from .files import read_toml
 from .physics.rollout import Rollout
 from .physics.simulate import simulate
 from .physics.values import MOTION_FIELDS, Ball, Layout, Shot
 from .placing import RANGES
-from .preset import load_table, read_toml
+from .preset import load_table
 from .table import Table
 
-_KEYS = ("table", "set", "balls", "shot")
+_KEYS = ("table", "conditions", "set", "balls", "shot")
 _BALL_KEYS = ("id", *MOTION_FIELDS, "radius", "mass")
 _SHOT_KEYS = tuple(Shot.__dataclass_fields__)
 
@@ -35,15 +36,17 @@ class Scenario:
         return simulate(self.table, self.layout, self.shot, events=events)
 
 
-def load_scenario(path: str | Path, overrides: Mapping[str, Any] | None = None) -> Scenario:
-    """Read a scenario file; `overrides` sets dotted knobs on top of the file's own.
+def load_scenario(
+    path: str | Path, overrides: Mapping[str, Any] | None = None, conditions: Sequence[str] = ()
+) -> Scenario:
+    """Read a scenario file; `overrides` sets dotted knobs, and `conditions` come, on top of the file's own.
 
     Raises InputError naming the file, the key, the value and what is allowed.
     """
     source = str(path)
     data = _read(Path(path))
     try:
-        return _scenario(data, source, overrides or {})
+        return _scenario(data, source, overrides or {}, conditions)
     except InputError as error:
         # A table named in the file is a file of its own, and speaks for itself.
         raise error if error.source.endswith(".toml") and error.source != source else error.at(source) from None
@@ -65,7 +68,9 @@ def _read(path: Path) -> dict[str, Any]:
     return data
 
 
-def _scenario(data: Mapping[str, Any], source: str, overrides: Mapping[str, Any]) -> Scenario:
+def _scenario(
+    data: Mapping[str, Any], source: str, overrides: Mapping[str, Any], conditions: Sequence[str]
+) -> Scenario:
     _known(data, _KEYS, source, "")
     name = data.get("table", "pool-9ft")
     if not isinstance(name, str):
@@ -76,7 +81,10 @@ def _scenario(data: Mapping[str, Any], source: str, overrides: Mapping[str, Any]
     own = data.get("set", {})
     if not isinstance(own, dict):
         raise InputError(source, "set", own, "allowed is a section of dotted knob names and values")
-    table = load_table(name, {**own, **overrides})
+    given = data.get("conditions", [])
+    if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
+        raise InputError(source, "conditions", given, "allowed is a list of names")
+    table = load_table(name, {**own, **overrides}, (*given, *conditions))
     entries = data.get("balls", [])
     if not isinstance(entries, list):
         raise InputError(source, "balls", entries, "allowed is a list of balls")

@@ -16,8 +16,9 @@ from typing import Any
 import pymunk
 
 from .errors import InputError, suggest
-from .geometry import CornerKnobs, SideKnobs, TableKnobs, build, rectangle
+from .geometry import CornerKnobs, SideKnobs, TableKnobs, build
 from .knobs import apply
+from .outline import inside, scaled
 from .physics.detect import Element, Jaw, Pocket, Rail, time_ball_ball
 from .physics.motion import Body, Motion
 from .physics.params import Physics
@@ -38,26 +39,36 @@ class Knobs(Physics):
 class Table:
     """A table to play on. Immutable; `with_knobs` makes a changed copy.
 
-    `source` says where it came from, for messages and scenarios; `set` what was overridden since.
+    `source` says where it came from, for messages and scenarios; `conditions` names those that `base`
+    holds on top of the preset; `set` is what was overridden since.
     """
 
     def __init__(
-        self, source: str, title: str, knobs: Knobs, furniture: Furniture, overrides: Mapping[str, Any] | None = None
+        self,
+        source: str,
+        title: str,
+        knobs: Knobs,
+        furniture: Furniture,
+        overrides: Mapping[str, Any] | None = None,
+        conditions: Sequence[str] = (),
     ) -> None:
         self.source = source
         self.title = title
         self.base = knobs
+        self.conditions = tuple(conditions)
         self.set = dict(overrides or {})
         self.knobs = apply(knobs, self.set, source)
         self.furniture = furniture
-        if self.knobs.cushion.nose_height >= 2.0 * self.knobs.ball.radius:
+        lowest = min([self.knobs.ball.radius, *(radius for radius, _ in furniture.sizes.values())])
+        if self.knobs.cushion.nose_height >= 2.0 * lowest:
             raise InputError(
                 source, "cushion.nose_height", self.knobs.cushion.nose_height,
-                f"the nose must be lower than a ball is high, {2.0 * self.knobs.ball.radius:g} m",
+                f"the nose must be lower than a ball is high, {2.0 * lowest:g} m",
             )  # fmt: skip
-        corners = rectangle(self.knobs.table.length, self.knobs.table.width)
-        self._corners = [(corner.x, corner.y) for corner in corners]
-        self.geometry = build(corners, self.knobs.corner, self.knobs.side, source)
+        size = self.knobs.table
+        corners = scaled(furniture.outline, size.length, size.width, source)
+        self._surface = [(corner.x, corner.y) for corner in corners]
+        self.geometry = build(corners, size, self.knobs.corner, self.knobs.side, source)
         self._space = pymunk.Space()
         self._index: dict[pymunk.Shape, int] = {}
         for index, element in enumerate(self.geometry.elements):
@@ -75,10 +86,23 @@ class Table:
 
     def with_knobs(self, overrides: Mapping[str, Any]) -> Table:
         """A copy with dotted knobs set on top of what was set before; raises InputError."""
-        return Table(self.source, self.title, self.base, self.furniture, {**self.set, **overrides})
+        return self._having({**self.set, **overrides})
+
+    def _having(self, overrides: Mapping[str, Any]) -> Table:
+        """A copy with just these knobs set."""
+        return Table(self.source, self.title, self.base, self.furniture, overrides, self.conditions)
+
+    def reset(self, *names: str) -> Table:
+        """A copy with these knobs as the preset has them; all of them where none is named."""
+        kept = {name: value for name, value in self.set.items() if names and name not in names}
+        return self._having(kept)
+
+    def boxes(self) -> list[tuple[float, float, float, float]]:
+        """The broad phase's box round each element: left, bottom, right, top, m."""
+        return [(box.left, box.bottom, box.right, box.top) for box in (shape.bb for shape in self._index)]
 
     def rack(self, name: str, seed: int = 0) -> Layout:
-        """The balls of a rack with the cue ball on the head spot; `seed` draws what the rules leave open.
+        """The balls of a rack and the cue ball; `seed` draws what the rules leave open.
 
         Raises InputError for a rack the table does not have.
         """
@@ -96,12 +120,9 @@ class Table:
         return sorted([index[shape] for shape in hits])
 
     def body_of(self, ball: Ball) -> tuple[float, float]:
-        """Radius and mass of a ball: its own, or the table's."""
-        knobs = self.knobs.ball
-        return (
-            knobs.radius if ball.radius is None else ball.radius,
-            knobs.mass if ball.mass is None else ball.mass,
-        )
+        """Radius and mass of a ball: its own, those the set has for it, or the table's."""
+        radius, mass = self.furniture.sizes.get(ball.id) or (self.knobs.ball.radius, self.knobs.ball.mass)
+        return radius if ball.radius is None else ball.radius, mass if ball.mass is None else ball.mass
 
     def touch(self, a: Ball, b: Ball) -> float:
         """How far apart, in plan, the centres of two balls are that touch: 2 sqrt(R1 R2) on one cloth."""
@@ -113,7 +134,8 @@ class Table:
 
     def scenario(self, layout: Layout, shot: Shot | None) -> dict[str, Any]:
         """Table, balls and shot in the form of a scenario file."""
-        entry: dict[str, Any] = {"table": self.source, "set": dict(self.set), "balls": []}
+        entry: dict[str, Any] = {"table": self.source, "conditions": list(self.conditions), "set": dict(self.set)}
+        entry["balls"] = []
         for ball in layout.values():
             given = {"id": ball.id, **{name: getattr(ball, name) for name in MOTION_FIELDS}}
             given.update({name: value for name in ("radius", "mass") if (value := getattr(ball, name)) is not None})
@@ -130,9 +152,13 @@ class Table:
         nose = self.knobs.cushion.nose_height
         return math.sqrt(nose * (2.0 * radius - nose))
 
+    def on_surface(self, x: float, y: float) -> bool:
+        """Whether a point is on the playing surface, within the noses."""
+        return inside(x, y, self._surface)
+
     def on_cloth(self, x: float, y: float) -> bool:
         """Whether a point is on the playing surface or in a pocket's throat."""
-        return _inside(x, y, self._corners) or _inside(x, y, self.geometry.outline)
+        return self.on_surface(x, y) or inside(x, y, self.geometry.outline)
 
     def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:
         """How far a ball here is from the nearest element, and which; infinite where none is near."""
@@ -172,6 +198,7 @@ class Table:
         Infinite and None where it meets nothing, as a ball that starts outside may.
         """
         size = math.hypot(dx, dy)
+        # Further than any two points of an outline are from each other.
         end = 2.0 * (self.knobs.table.length + self.knobs.table.width)
         ball = Ball("", x, y, dx / size, dy / size, radius=radius)
         body = Body(ball, 0, *self.body_of(ball))
@@ -192,17 +219,6 @@ class Table:
 _ALL = pymunk.ShapeFilter()
 # How far behind its nose a cushion goes, m, as far as pointing at it is concerned.
 _DEPTH = 0.05
-
-
-def _inside(x: float, y: float, polygon: Sequence[tuple[float, float]]) -> bool:
-    """Whether a point is inside a polygon: a ray from it crosses the edge an odd number of times."""
-    inside = False
-    bx, by = polygon[-1]
-    for ax, ay in polygon:
-        if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
-            inside = not inside
-        bx, by = ax, ay
-    return inside
 
 
 def _shape(element: Element, body: pymunk.Body) -> pymunk.Shape:

@@ -176,16 +176,16 @@ def test_other_things_than_files_are_one_line(tmp_path: Path, capsys: Capture) -
         (["--set", "cloth.mu_roll=9"], "--set: cloth.mu_roll = 9.0: allowed is a number from 0.001 to 0.2"),
         (["--set", "cloth.mu_roll=nan"], "--set: cloth.mu_roll = nan: allowed is a number"),
         (["--set", "cloth.mu_roll=x"], "--set: cloth.mu_roll = 'x': allowed is a number"),
-        (["--set", "cloth.mu_roll"], "--set: cloth.mu_roll = None: allowed is NAME=VALUE"),
+        (["--set", "cloth.mu_roll"], "--set: 'cloth.mu_roll' is not NAME=VALUE"),
         (["--set", "ball.law=hard"], "--set: ball.law = 'hard': allowed is one of "),
         (["--set", "ball.law=1"], "--set: ball.law = 1.0: allowed is one of "),
-        (["--events", "0"], "pool2d: --events = 0.0: allowed is a number from 1"),
-        (["--events", "2.5"], "pool2d: --events = '2.5': allowed is a whole number"),
-        (["--events", "many"], "pool2d: --events = 'many': allowed is a number"),
-        (["--sample", "0"], "pool2d: --sample = 0.0: allowed is a number"),
-        (["--sample", "inf"], "pool2d: --sample = inf: allowed is a number"),
-        (["--sample"], "pool2d simulate: argument --sample: expected one argument"),
-        (["--wat\nnot"], "pool2d: unrecognized arguments: --wat"),
+        (["--events", "0"], "command line: --events = 0.0: allowed is a number from 1"),
+        (["--events", "2.5"], "command line: --events = '2.5': allowed is a whole number"),
+        (["--events", "many"], "command line: --events = 'many': allowed is a number"),
+        (["--sample", "0"], "command line: --sample = 0.0: allowed is a number"),
+        (["--sample", "inf"], "command line: --sample = inf: allowed is a number"),
+        (["--sample"], "command line: argument --sample: expected one argument"),
+        (["--wat\nnot"], "command line: unrecognized arguments: --wat"),
     ],
 )
 def test_bad_options_are_one_line(play: str, capsys: Capture, words: list[str], line: str) -> None:
@@ -194,7 +194,7 @@ def test_bad_options_are_one_line(play: str, capsys: Capture, words: list[str], 
 
 @pytest.mark.parametrize("words", [["simulate"], ["wat"], ["render", "only-one"]])
 def test_bad_commands_are_one_line(capsys: Capture, words: list[str]) -> None:
-    assert refusal(capsys, *words).startswith("pool2d: pool2d")
+    assert refusal(capsys, *words).startswith("pool2d: command line: ")
 
 
 def test_good_files_before_a_bad_one_are_told(play: str, tmp_path: Path, capsys: Capture) -> None:
@@ -231,3 +231,29 @@ def test_it_is_a_program(play: str) -> None:
         assert json.loads(good.stdout)["duration"] > 1.0
     bad = run("-m", "pool2d", "simulate", play + "x")
     assert (bad.returncode, bad.stdout, len(bad.stderr.splitlines())) == (2, "", 1)
+
+
+def test_a_sample_too_fine_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "s.toml"
+    path.write_text('[[balls]]\nid = "cue"\nx = 1.0\ny = 0.5\nvx = 2.0\n')
+    assert main(["simulate", str(path), "--json", "--sample", "1e-6"]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "--sample" in err
+    assert err.count("\n") == 1
+
+
+def test_a_full_disk_is_told_in_one_line(tmp_path: Path) -> None:
+    full = Path("/dev/full")
+    if not full.exists():
+        pytest.skip("no device that is always full")
+    path = tmp_path / "s.toml"
+    path.write_text('[[balls]]\nid = "cue"\nx = 1.0\ny = 0.5\n')
+    with full.open("w") as out:
+        done = subprocess.run(
+            [sys.executable, "-m", "pool2d", "simulate", str(path)],
+            stdout=out, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert "cannot be written" in done.stderr
+    assert "Traceback" not in done.stderr

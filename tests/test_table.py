@@ -120,7 +120,7 @@ def test_ball_sent_at_a_pocket_drops_at_its_rim(name: str) -> None:
     [
         ({"corner.mouth": 0.3, "corner.drop_radius": 0.2, "side.mouth": 0.3, "side.drop_radius": 0.2,
           "table.width": 0.3}, "corner.mouth, side.mouth"),
-        ({"corner.angle": 170.0, "corner.shelf": 0.2}, "corner.angle"),
+        ({"corner.angle": 170.0, "corner.shelf": 0.1}, "corner.angle"),
         ({"side.angle": 165.0}, "side.angle"),
         ({"corner.drop_radius": 0.03}, "corner.drop_radius"),
         ({"side.mouth": 0.2}, "side.drop_radius"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
@@ -12,27 +12,31 @@ from ..table import Table
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """Where a game stands: the balls, whether the cue ball is in hand, and how many shots were played."""
+    """Where a game stands: the balls, whether the cue ball is in hand, how many shots were played.
+
+    `shot` and `rollout` are of the last one, if it led here.
+    """
 
     layout: Layout
-    in_hand: bool
-    shots: int
+    in_hand: bool = False
+    shots: int = 0
+    shot: Shot | None = None
+    rollout: Rollout | None = None
 
 
 class Session:
     """The balls on a table and what was done to them.
 
-    `position` is the present one; `rollout` the last shot, if it led here. `play`, `place` and `rack`
-    go on, `undo` goes back to before the last shot or rack.
+    `position` is the present one. `play`, `place` and `rack` go on, `undo` goes back to before the last
+    shot or rack. Without a name, the rack is the table's first.
     """
 
-    def __init__(self, table: Table, rack: str = "eight-ball", seed: int = 0) -> None:
+    def __init__(self, table: Table, rack: str = "", seed: int = 0) -> None:
         self.table = table
-        self.rack_name = rack
+        self.rack_name = rack or next(iter(table.furniture.racks))
         self.seed = seed
-        self.position = Position(table.rack(rack, seed), False, 0)
-        self.rollout: Rollout | None = None
-        self._past: list[tuple[Position, Rollout | None]] = []
+        self.position = Position(table.rack(self.rack_name, seed))
+        self._past: list[Position] = []
 
     @property
     def layout(self) -> Layout:
@@ -42,6 +46,11 @@ class Session:
     def cue(self) -> Ball:
         """The cue ball, also while it is in hand."""
         return self.layout[self.table.furniture.cue]
+
+    @property
+    def rollout(self) -> Rollout | None:
+        """The last shot, if it led here."""
+        return self.position.rollout
 
     @property
     def in_hand(self) -> bool:
@@ -60,46 +69,40 @@ class Session:
         """
         rollout = simulate(self.table, self.layout, shot)
         end = rollout.layout()
-        self._remember()
-        self.rollout = rollout
-        self.position = Position(end, end[self.cue.id].phase == POCKETED, self.position.shots + 1)
+        fallen = end[self.cue.id].phase == POCKETED
+        self._go_on(Position(end, fallen, self.position.shots + 1, shot, rollout))
         return rollout
 
     def may_place(self, x: float, y: float) -> bool:
         """Whether the cue ball has room here, its centre on the playing surface."""
-        size = self.table.knobs.table
         radius = self.table.body_of(self.cue)[0]
-        inside = 0.0 < x < size.length and 0.0 < y < size.width
-        return inside and self.table.has_room(x, y, radius, self.layout, ignore=self.cue.id)
+        return self.table.on_surface(x, y) and self.table.has_room(x, y, radius, self.layout, ignore=self.cue.id)
 
     def place(self, x: float, y: float) -> bool:
         """Put a cue ball in hand on the table; False, and nothing done, where it has no room."""
         if not (self.in_hand and self.may_place(x, y)):
             return False
         ball = self.cue.still()._replace(x=x, y=y)
-        self.position = Position(self.layout.put(ball), False, self.position.shots)
+        self.position = replace(self.position, layout=self.layout.put(ball), in_hand=False)
         return True
 
     def rack(self, seed: int) -> None:
         """Set up a new rack."""
-        layout = self.table.rack(self.rack_name, seed)
-        self._remember()
+        self._go_on(Position(self.table.rack(self.rack_name, seed)))
         self.seed = seed
-        self.rollout = None
-        self.position = Position(layout, False, 0)
 
     def undo(self) -> bool:
         """Go back to before the last shot or rack; False where there is nothing to go back to."""
         if not self._past:
             return False
-        self.position, self.rollout = self._past.pop()
+        self.position = self._past.pop()
         return True
 
     def change_table(self, table: Table) -> None:
         """Play on with other parameters; raises InputError, changing nothing, where the balls do not fit."""
-        layout = table.settle(self.layout)
+        self.position = replace(self.position, layout=table.settle(self.layout))
         self.table = table
-        self.position = Position(layout, self.position.in_hand, self.position.shots)
 
-    def _remember(self) -> None:
-        self._past.append((self.position, self.rollout))
+    def _go_on(self, position: Position) -> None:
+        self._past.append(self.position)
+        self.position = position

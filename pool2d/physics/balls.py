@@ -24,6 +24,8 @@ Vector = tuple[float, float, float]
 
 # Steps of the integration of `mathavan2014`, for each of compression and restitution.
 STEPS = 40
+# Many times the steps that a contact takes.
+_ENOUGH = 4
 
 
 def normal(a: Body, b: Body) -> Vector:
@@ -124,32 +126,39 @@ def mathavan2014(a: Body, b: Body, physics: Physics) -> None:
     restitution = rebound(approach, physics.ball.restitution) / approach
     ease = (1.0 - nz * nz) * (1.0 / a.mass + 1.0 / b.mass)
     step = approach / ease / STEPS
-    mu, cloth = constant(0.0, physics), physics.cloth.mu_slide
-    work = given = 0.0
-    nearing = True
-    # To twelve digits: rounding may keep the last from ever being given.
-    back = restitution * restitution
-    while nearing or given < (1.0 - 1e-12) * back * work:
-        closing = (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
-        part = step
-        if nearing:
-            part = min(step, max(closing, 1e-6 * approach) / ease)
-        else:
-            # What is left to give back is (-closing + ease part / 2) part.
-            left = back * work - given
-            part = min(step, 2.0 * left / (math.sqrt(closing * closing + 2.0 * ease * left) - closing))
-        sx, sy, sz = slip(a, b, n, closing)
-        size = math.sqrt(sx * sx + sy * sy + sz * sz)
-        rub = 0.0 if size == 0.0 else -min(mu * part, size / (3.5 * (1.0 / a.mass + 1.0 / b.mass))) / size
-        push(a, b, n, part, rub * sx, rub * sy, rub * sz)
-        down = part * nz - rub * sz
-        _scrub(a if down > 0.0 else b, cloth * abs(down))
-        after = (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
-        if nearing:
-            work += 0.5 * (closing + after) * part
-            nearing = after > 1e-9 * approach
-        else:
-            given -= 0.5 * (closing + after) * part
+    closing, work = approach, 0.0
+    for _ in range(_ENOUGH * STEPS):
+        part = min(step, closing / ease)
+        after = _nudge(a, b, n, closing, part, physics)
+        work += 0.5 * (closing + after) * part
+        closing = after
+        if closing <= 1e-9 * approach:
+            break
+    left = restitution * restitution * work
+    for _ in range(_ENOUGH * STEPS):
+        if left <= 1e-12 * work:
+            break
+        # A step gives back (-closing + ease part / 2) part.
+        part = min(step, 2.0 * left / (math.sqrt(closing * closing + 2.0 * ease * left) - closing))
+        after = _nudge(a, b, n, closing, part, physics)
+        left += 0.5 * (closing + after) * part
+        closing = after
+    # Without restitution they would stay together: they part gently.
+    stay = closing + 0.1 * rebound(approach, 0.0)
+    if stay > 0.0:
+        push(a, b, n, stay / ease, 0.0, 0.0, 0.0)
+
+
+def _nudge(a: Body, b: Body, n: Vector, closing: float, part: float, physics: Physics) -> float:
+    """One step of the normal impulse, with the friction it brings; the speed of nearing after it."""
+    sx, sy, sz = slip(a, b, n, closing)
+    size = math.sqrt(sx * sx + sy * sy + sz * sz)
+    most = size / (3.5 * (1.0 / a.mass + 1.0 / b.mass))
+    rub = 0.0 if size == 0.0 else -min(constant(size, physics) * part, most) / size
+    push(a, b, n, part, rub * sx, rub * sy, rub * sz)
+    down = part * n[2] - rub * sz
+    _scrub(a if down > 0.0 else b, physics.cloth.mu_slide * abs(down))
+    return (a.vx - b.vx) * n[0] + (a.vy - b.vy) * n[1]
 
 
 def _scrub(ball: Body, limit: float) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pygame
 
 from ..errors import InputError
 from ..game.session import Session
-from ..preset import load_table, preset_path
+from ..preset import load_table, preset_files
 from ..table import Table
 from .keys import action_of
 from .play import Play
@@ -17,6 +18,8 @@ from .scene import Scene
 
 SIZE = (1280, 720)
 _FPS = 60
+# Drivers that show nothing, which SDL falls back to without a screen.
+_UNSEEN = ("dummy", "offscreen", "evdev")
 # How often the open preset's file is looked at, s.
 _WATCH = 0.5
 
@@ -33,7 +36,7 @@ class App:
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
         self.play = Play(Session(table, seed=seed))
         self.scene: Scene | None = self.play
-        self._file = Watched(table)
+        self._files = Watched(table)
 
     def step(self, dt: float) -> bool:
         """Take the waiting events, let `dt` seconds pass and draw; False when the player has quit."""
@@ -93,47 +96,58 @@ class App:
 
     def _watch(self, dt: float) -> None:
         """Take a saved change of the preset's file, or say what is wrong with it and keep the old table."""
-        if self._file.changed(dt):
+        table = self.play.session.table
+        if (table.source, table.conditions) != self._files.behind:
+            self._files = Watched(table)
+            self.play.warning = ""
+        if self._files.changed(dt):
             try:
-                self.play.change_table(load_table(self._file.source, self.play.session.table.set))
+                self.play.change_table(load_table(table.source, table.set, table.conditions))
                 self.play.warning = ""
             except InputError as error:
                 self.play.warning = str(error)
 
 
 class Watched:
-    """The file behind a table, and whether it has changed since it was last looked at."""
+    """The files behind a table, and whether one has changed since they were last looked at."""
 
     def __init__(self, table: Table) -> None:
-        self.source = table.source
-        self._path = preset_path(table.source)
-        self._stamp = self._read()
+        self.behind = (table.source, table.conditions)
+        self._paths = preset_files(table)
+        self._stamps = self._read()
         self._wait = _WATCH
 
     def changed(self, dt: float) -> bool:
-        """Whether the file has changed; asks the disk only now and then."""
+        """Whether a file has changed; asks the disk only now and then."""
         self._wait -= dt
         if self._wait > 0.0:
             return False
         self._wait = _WATCH
-        stamp = self._read()
-        if stamp == self._stamp:
-            return False
-        self._stamp = stamp
-        return True
+        before, self._stamps = self._stamps, self._read()
+        return self._stamps != before
 
-    def _read(self) -> tuple[int, int] | None:
-        try:
-            status = self._path.stat()
-        except OSError:
-            return None
-        return status.st_mtime_ns, status.st_size
+    def _read(self) -> list[tuple[int, int] | None]:
+        return [_stamp(path) for path in self._paths]
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """What changes about a file when it is saved; None where it is not there."""
+    try:
+        status = path.stat()
+    except OSError:
+        return None
+    return status.st_mtime_ns, status.st_size
 
 
 def play(table: Table, seed: int | None = None, frames: int | None = None) -> int:
-    """Open a window and play; returns the exit status."""
-    app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed)
+    """Open a window and play; returns the exit status. Raises InputError where there is no display."""
     try:
+        app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed)
+    except pygame.error as error:
+        raise InputError("display", "", None, f"no window can be opened: {error}") from error
+    try:
+        if frames is None and pygame.display.get_driver() in _UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
+            raise InputError("display", "", None, "no screen was found to open a window on")
         app.run(frames)
     finally:
         app.close()

@@ -77,16 +77,24 @@ def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: 
         _line(surface, theme.GUIDE_BALL, guide.object, view, 1.8 * scale)
 
 
-def draw_whole(surface: pygame.Surface, rollout: Rollout, table: Table, view: View) -> None:
+def draw_whole(
+    surface: pygame.Surface,
+    rollout: Rollout,
+    table: Table,
+    view: View,
+    cue: theme.Color = theme.GUIDE_CUE,
+    others: theme.Color = theme.GUIDE_BALL,
+) -> None:
     """Draw every ball's way to its end, and where it comes to rest."""
     scale = max(1.0, view.scale / 400.0)
     for ball in rollout.layout().values():
         if len(rollout.tracks.get(ball.id, ())) > 1:
-            color = theme.GUIDE_CUE if ball.id == table.furniture.cue else theme.GUIDE_BALL
+            color = cue if ball.id == table.furniture.cue else others
             _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.2 * scale)
             if ball.phase != POCKETED:
                 radius = table.body_of(ball)[0] * view.scale
-                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, faint=True)
+                look = table.furniture.looks.get(ball.id)
+                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look)
 
 
 def _sampled(motion: Motion, start: float, end: float) -> Line:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import random
 from collections.abc import Callable
-from dataclasses import replace
 
 import pygame
 
@@ -14,69 +12,76 @@ from ..game.session import Session
 from ..physics.rollout import Rollout
 from ..physics.strike import hop
 from ..physics.values import POCKETED
+from ..preset import differences, load_table, save_preset
 from ..table import Table
 from . import cue_art, guide, hud, theme
-from .aim import FULL_PULL, Aim, pulled_speed
+from .debug import ScreenPen, draw_geometry
+from .dialog import Ask
+from .hands import Hands
 from .help import Help
 from .keys import action_of, fine_step
 from .scene import Scene
 from .stage import Stage
+from .tuning import Tuning
 
 _FAST = 8.0
-# The aim, once set by wheel or keys, stays until the pointer has moved this far, in pixels.
-_HOLD = 8.0
 # How far the cue stands back from the ball at rest and at full pull, m.
 _REST, _FULL = 0.02, 0.32
 # From this height on, m, the player is told that a real ball would leave the cloth.
 _HOP = 0.005
 
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
-_SPIN = {"spin_up": (0.0, 0.05), "spin_down": (0.0, -0.05), "spin_left": (-0.05, 0.0), "spin_right": (0.05, 0.0)}
 
 
 class Play:
     """A session on screen.
 
-    While `rollout` is set, its balls are shown at `time`. Of what the hands hold, `pull` is where a
-    pull began and `pulled` how far it has come, in pixels; `drag` names the diagram being dragged;
-    `hover` is where a cue ball in hand is held; `hold` is where the pointer was when the aim was set
-    by wheel or keys.
+    While `rollout` is set, its balls are shown at `time`. `hover` is where a cue ball in hand is held;
+    `warning` stays until what it warns of is mended, `message` until the next.
     """
 
     def __init__(self, session: Session) -> None:
         self.session = session
         self.stage = Stage(session.table)
-        self.aim = Aim()
+        self.hands = Hands()
         self.level = guide.GHOST
         self.rollout: Rollout | None = None
         self.time = 0.0
         self.fast = False
-        self.pull: tuple[int, int] | None = None
-        self.pulled = 0.0
-        self.drag = ""
         self.hover: tuple[float, float] | None = None
-        self.hold: tuple[int, int] | None = None
-        self.pointer: tuple[int, int] | None = None
+        self.tuning: Tuning | None = None
+        self.geometry = False
         self.message = "Aim with the mouse, press, pull back and release. F1 lists every key."
         self.warning = ""
+        self._next: Scene | None = None
+        hands = self.hands
         self._keys: dict[str, Callable[[], None]] = {
-            "harder": lambda: self._set_speed(0.25),
-            "softer": lambda: self._set_speed(-0.25),
-            "raise": lambda: self._raise(1.0),
-            "lower": lambda: self._raise(-1.0),
-            "no_spin": self._center,
+            "harder": lambda: hands.change_speed(0.25),
+            "softer": lambda: hands.change_speed(-0.25),
+            "raise": lambda: hands.raise_butt(1.0),
+            "lower": lambda: hands.raise_butt(-1.0),
+            "spin_up": lambda: hands.nudge_tip(0.0, 0.05),
+            "spin_down": lambda: hands.nudge_tip(0.0, -0.05),
+            "spin_left": lambda: hands.nudge_tip(-0.05, 0.0),
+            "spin_right": lambda: hands.nudge_tip(0.05, 0.0),
+            "no_spin": hands.center,
             "strike": self._enter,
             "guide": self._next_guide,
             "fast": self._fast_forward,
             "replay": self._replay,
             "undo": self._undo,
             "rack": self._rack,
+            "tune": self._tune,
+            "geometry": self._show_geometry,
             "cancel": self._cancel,
         }
 
     # Events.
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
+        if self.tuning is not None and not self.hands.busy and self.tuning.handle(event):
+            scene, self._next = self._next or self, None
+            return scene
         if event.type == pygame.KEYDOWN:
             return self._key(event.key, getattr(event, "mod", 0))
         if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
@@ -86,14 +91,14 @@ class Play:
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             self._press(event.pos)
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 3:
-            self._cancel()
+            self._put_down()
         elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
             self._release(event.pos)
         elif event.type == pygame.MOUSEWHEEL:
-            self._turn(event.y * fine_step(pygame.key.get_mods()))
+            self.hands.turn(event.y * fine_step(pygame.key.get_mods()))
         elif event.type == pygame.WINDOWFOCUSLOST:
             self.fast = False
-            self._cancel()
+            self._put_down()
         return self
 
     def _key(self, key: int, mod: int) -> Scene | None:
@@ -106,64 +111,36 @@ class Play:
             # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
             self._nudge(*_ARROWS[action], 0.2 * fine_step(mod))
         elif action in ("turn_left", "turn_right"):
-            self._turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
-        elif action in _SPIN:
-            side, height = _SPIN[action]
-            self.aim = self.aim.with_spin(self.aim.side + side, self.aim.height + height)
+            self.hands.turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
         elif action in self._keys:
             self._keys[action]()
         return self
 
     def _move(self, pos: tuple[int, int]) -> None:
-        self.pointer = pos
-        if self.drag:
-            self._drag(pos)
-        elif self.pull is not None:
-            angle = math.radians(self.aim.angle)
-            # Back along the cue; on the screen y points down.
-            self.pulled = (self.pull[0] - pos[0]) * math.cos(angle) - (self.pull[1] - pos[1]) * math.sin(angle)
-        elif self._holding:
-            self.hover = self.stage.view.to_table(*pos)
-        else:
-            self._point(pos)
-
-    def _point(self, pos: tuple[int, int]) -> None:
-        """Aim through the pointer, unless a fine aim is held or the pointer is on the ball itself."""
-        if self.session.in_hand or (self.hold is not None and math.dist(pos, self.hold) < _HOLD):
+        self.hands.pointer = pos
+        if self.hands.move(pos, self.stage.screen):
             return
-        x, y = self.stage.view.to_table(*pos)
-        cue = self.session.cue
-        if math.hypot(x - cue.x, y - cue.y) > self.session.table.body_of(cue)[0]:
-            self.hold = None
-            self.aim = self.aim.toward(x - cue.x, y - cue.y)
+        if self._holding:
+            self.hover = self.stage.view.to_table(*pos)
+        elif not self.session.in_hand:
+            cue = self.session.cue
+            self.hands.point(pos, self.stage.view, cue, self.session.table.body_of(cue)[0])
 
     def _press(self, pos: tuple[int, int]) -> None:
-        self.pointer = pos
         screen = self.stage.screen
-        if screen.ball_diagram.collidepoint(pos) or screen.cue_diagram.collidepoint(pos):
-            self.drag = "ball" if screen.ball_diagram.collidepoint(pos) else "cue"
-            self._drag(pos)
-        elif self._holding:
-            self.hover = self.stage.view.to_table(*pos)
+        if self.hands.grab(pos, screen):
+            return
+        self._move(pos)
+        if self._holding:
             self._place()
         elif not self.rollout and screen.top.bottom <= pos[1] < screen.bottom.top:
-            self._point(pos)
-            self.pull, self.pulled = pos, 0.0
+            self.hands.begin_pull(pos)
 
     def _release(self, pos: tuple[int, int]) -> None:
         self._move(pos)
-        self.drag = ""
-        if self.pull is not None:
-            self.pull = None
-            speed = pulled_speed(self.pulled)
-            if speed > 0.0:
-                self._strike(speed)
-
-    def _drag(self, pos: tuple[int, int]) -> None:
-        if self.drag == "ball":
-            self.aim = self.aim.with_spin(*self.stage.screen.spin_at(pos))
-        else:
-            self.aim = self.aim.with_elevation(self.stage.screen.elevation_at(pos))
+        speed = self.hands.let_go()
+        if speed > 0.0:
+            self._strike(speed)
 
     # What hands and keys lead to.
 
@@ -172,20 +149,6 @@ class Play:
         """Whether the player holds the cue ball."""
         return self.session.in_hand and self.rollout is None
 
-    def _turn(self, degrees: float) -> None:
-        if self.pull is None:
-            self.aim = self.aim.turned(degrees)
-            self.hold = self.pointer
-
-    def _set_speed(self, by: float) -> None:
-        self.aim = self.aim.with_speed(self.aim.speed + by)
-
-    def _raise(self, degrees: float) -> None:
-        self.aim = self.aim.with_elevation(self.aim.elevation + degrees)
-
-    def _center(self) -> None:
-        self.aim = replace(self.aim, side=0.0, height=0.0, elevation=0.0)
-
     def _next_guide(self) -> None:
         self.level = (self.level + 1) % len(guide.LEVELS)
         self.message = f"Guide: {guide.LEVELS[self.level]}"
@@ -193,11 +156,15 @@ class Play:
     def _fast_forward(self) -> None:
         self.fast = True
 
-    def _cancel(self) -> None:
-        if self.pull is not None:
+    def _put_down(self) -> None:
+        if self.hands.pull is not None:
             self.message = "The cue is put down."
-        self.pull = None
-        self.drag = ""
+        self.hands.put_down()
+
+    def _cancel(self) -> None:
+        if not self.hands.busy:
+            self.tuning = None
+        self._put_down()
 
     def _enter(self) -> None:
         if self.rollout:
@@ -205,12 +172,12 @@ class Play:
         elif self._holding:
             self._place()
         else:
-            self._strike(self.aim.speed)
+            self._strike(self.hands.aim.speed)
 
     def _strike(self, speed: float) -> None:
-        self.pull = None
+        self.hands.put_down()
         try:
-            self.rollout = self.session.play(self.aim.shot(self.session.cue.id, speed))
+            self.rollout = self.session.play(self.hands.aim.shot(self.session.cue.id, speed))
         except (InputError, BudgetError) as error:
             self.message = str(error)
             return
@@ -225,6 +192,36 @@ class Play:
             self.rollout, self.time = self.session.rollout, 0.0
             self.message = "The last shot again."
 
+    def _tune(self) -> None:
+        if self.tuning is None:
+            aimed = self.hands.aim.shot(self.session.cue.id)
+            self.tuning = Tuning(self.session, aimed, self._ask_name, self.open_table)
+        else:
+            self.tuning = None
+
+    def open_table(self, name: str) -> None:
+        """Go over to another preset, with a new rack; raises InputError."""
+        self._drop()
+        self.tuning = None
+        self.session = Session(load_table(name), seed=random.randrange(1 << 30))
+        self.message = f"{self.session.table.title}: a new rack."
+
+    def _ask_name(self) -> None:
+        table = self.session.table
+
+        def save(name: str) -> str:
+            try:
+                path = save_preset(name, table.source, differences(table), name)
+            except InputError as error:
+                return error.allowed
+            self.message = f"Saved as {path}"
+            return ""
+
+        self._next = Ask(self, "Save this table as a preset", "Name", f"my-{table.source}", save)
+
+    def _show_geometry(self) -> None:
+        self.geometry = not self.geometry
+
     def _undo(self) -> None:
         self._drop()
         self.message = "Taken back." if self.session.undo() else "There is nothing to take back."
@@ -237,7 +234,7 @@ class Play:
     def _drop(self) -> None:
         """Let go of whatever is under way."""
         self.rollout = None
-        self.pull = None
+        self.hands.put_down()
         self.hover = None
 
     def _nudge(self, dx: float, dy: float, step: float) -> None:
@@ -247,24 +244,30 @@ class Play:
     def _place(self) -> None:
         if self.session.place(*(self.hover or self._spot())):
             self.hover = None
-            self.hold = self.pointer
+            self.hands.hold = self.hands.pointer
             self.message = ""
         else:
             self.message = "There is no room for the ball here."
 
     def _spot(self) -> tuple[float, float]:
         """Where a ball in hand is held before a hand has moved it."""
-        return self.session.table.furniture.spots["head"]
+        start = self.session.table.rack(self.session.rack_name)[self.session.cue.id]
+        return start.x, start.y
 
     def change_table(self, table: Table) -> None:
         """Play on with other parameters; raises InputError where the balls do not fit."""
         self.session.change_table(table)
         self.rollout = None
+        if self.tuning is not None:
+            self.tuning.refresh()
         self.message = "The table's file has changed, and so has the table."
 
     # Time.
 
     def update(self, dt: float) -> Scene | None:
+        if self.tuning is not None:
+            self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
+            self.tuning.update(dt)
         if self.rollout:
             self.time += dt * (_FAST if self.fast else 1.0)
             if self.time >= self.rollout.duration:
@@ -283,41 +286,47 @@ class Play:
             self.message = f"Down: {', '.join(sorted(fallen, key=lambda ball: (len(ball), ball)))}."
         elif not self.message.startswith("Miscue"):
             self.message = ""
-        if self.pointer is not None:
-            self.hold = None
-            self._move(self.pointer)
+        self.hands.hold = None
+        if self.hands.pointer is not None:
+            self._move(self.hands.pointer)
 
     # Drawing.
 
     def draw(self, surface: pygame.Surface) -> None:
         session, stage = self.session, self.stage
-        stage.begin(surface, session.table)
-        speed = pulled_speed(self.pulled) if self.pull is not None else self.aim.speed
-        if self.rollout:
-            stage.balls(surface, self.rollout.at(self.time))
-        elif session.in_hand:
-            stage.balls(surface, session.layout)
+        screen = hud.Screen(*surface.get_size())
+        stage.begin(surface, session.table, self.tuning.width(screen) if self.tuning is not None else 0)
+        aim, speed = self.hands.aim, self.hands.speed
+        shown = self.rollout.at(self.time) if self.rollout else session.layout
+        aiming = not (self.rollout or session.in_hand)
+        if self.tuning is not None and self.hands.pull is None and not self.rollout:
+            stage.ways(surface, self.tuning)
+        elif aiming and speed > 0.0:
+            stage.guide(surface, self.level, session.layout, aim.shot(session.cue.id, speed))
+        stage.balls(surface, shown)
+        if aiming:
+            back = _REST + (_FULL - _REST) * self.hands.drawn
+            cue_art.draw(surface, session.table, session.cue, aim, back, stage.view)
+        elif not self.rollout:
             x, y = self.hover or self._spot()
             stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
-        else:
-            if speed > 0.0:
-                stage.guide(surface, self.level, session.layout, self.aim.shot(session.cue.id, speed))
-            stage.balls(surface, session.layout)
-            part = max(0.0, min(1.0, self.pulled / FULL_PULL)) if self.pull is not None else 0.0
-            back = _REST + (_FULL - _REST) * part
-            cue_art.draw(surface, session.table, session.cue, self.aim, back, stage.view)
+        if self.geometry:
+            draw_geometry(ScreenPen(surface, stage.view), session.table)
         note = f"Shot {session.position.shots + 1}   \N{MIDDLE DOT}   {session.left} balls left"
         hud.draw_bars(surface, stage.screen, session.table.title, note)
-        hud.draw_controls(surface, stage.screen, self.aim, speed, session.table.knobs.cue.tip_friction)
-        color = theme.WARNING if self.warning else theme.TEXT
-        hud.draw_message(surface, stage.screen, self.warning or self._hop(speed) or self.message, color)
+        hud.draw_controls(surface, stage.screen, aim, speed, session.table.knobs.cue.tip_friction)
+        wrong = (self.tuning.error if self.tuning is not None else "") or self.warning
+        message = wrong or f"{self.message} {self._hop(speed)}".strip()
+        hud.draw_message(surface, stage.screen, message, theme.WARNING if wrong else theme.TEXT)
+        if self.tuning is not None:
+            self.tuning.draw(surface)
 
     def _hop(self, speed: float) -> str:
         """What to say of a stroke so steep and hard that a real ball would leave the cloth."""
-        if self.aim.elevation == 0.0 or self.rollout or self.session.in_hand or speed <= 0.0:
+        if self.hands.aim.elevation == 0.0 or self.rollout or self.session.in_hand:
             return ""
         knobs = self.session.table.knobs
-        apex = hop(self.aim.shot("", speed), self.session.table.body_of(self.session.cue)[1], knobs)[1]
+        apex = hop(self.hands.aim.shot("", speed), self.session.table.body_of(self.session.cue)[1], knobs)[1]
         if apex < _HOP:
             return ""
         return f"So steep and hard, a real ball would hop {1000.0 * apex:.0f} mm. Here it stays on the cloth."

@@ -26,7 +26,8 @@ def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
     for ball in scenario.layout.values():
         if ball.phase != POCKETED:
             radius = table.body_of(ball)[0] * view.scale
-            ball_art.draw(picture, ball.id, view.to_screen(ball.x, ball.y), radius)
+            look = table.furniture.looks.get(ball.id)
+            ball_art.draw(picture, ball.id, view.to_screen(ball.x, ball.y), radius, look=look)
     if out.suffix.lower() not in (".png", ".jpg", ".bmp", ".tga"):
         raise InputError(str(out), "", None, "a picture's name ends in .png, .jpg, .bmp or .tga")
     try:

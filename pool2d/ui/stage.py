@@ -12,6 +12,7 @@ from ..physics.simulate import simulate
 from ..physics.values import Ball, Layout, Shot
 from ..table import Table
 from . import ball_art, guide, hud, pen, table_art, theme
+from .tuning import Tuning
 from .view import View, fit
 
 
@@ -27,12 +28,12 @@ class Stage:
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
-    def begin(self, surface: pygame.Surface, table: Table) -> None:
-        """Take the window's present size, and draw the table."""
+    def begin(self, surface: pygame.Surface, table: Table, panel: int = 0) -> None:
+        """Take the window's present size, less `panel` pixels on the right, and draw the table."""
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
-        self.view = self._fit()
-        key = (self.screen, table)
+        self.view = self._fit(panel)
+        key = (self.view, self.screen, table)
         if key != self._background_key:
             self._background_key = key
             self._background = table_art.draw(table, surface.get_size(), self.view)
@@ -44,7 +45,8 @@ class Stage:
             self.ball(surface, ball)
 
     def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
-        ball_art.draw(surface, ball.id, self.view.to_screen(ball.x, ball.y), self._radius(ball), faint)
+        look = self.table.furniture.looks.get(ball.id)
+        ball_art.draw(surface, ball.id, self.view.to_screen(ball.x, ball.y), self._radius(ball), faint, look)
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
         """Draw a ball held over the table, ringed by whether it has room there."""
@@ -60,6 +62,16 @@ class Stage:
                 guide.draw_whole(surface, rollout, self.table, self.view)
             guide.draw(surface, guide.foresee(rollout, shot.ball), level, self.table, self.view)
 
+    def ways(self, surface: pygame.Surface, tuning: Tuning) -> None:
+        """Draw what a shot did before the table was tuned, what it does now, and on the table compared."""
+        for rollout, cue, other in (
+            (tuning.old, theme.WAY_OLD, theme.WAY_OLD),
+            (tuning.other, theme.WAY_OTHER, theme.WAY_OTHER),
+            (tuning.new, theme.GUIDE_CUE, theme.GUIDE_BALL),
+        ):
+            if rollout is not None:
+                guide.draw_whole(surface, rollout, self.table, self.view, cue, other)
+
     def foresee(self, level: int, layout: Layout, shot: Shot) -> Rollout | None:
         """The shot's rollout as far as the guide needs it; worked out anew only for another shot."""
         events = None if level == guide.WHOLE else guide.EVENTS
@@ -72,9 +84,10 @@ class Stage:
                 self._foreseen = None
         return self._foreseen
 
-    def _fit(self) -> View:
+    def _fit(self, panel: int = 0) -> View:
         size = self.table.knobs.table
-        return fit(size.length, size.width, self.screen.table)
+        left, top, width, height = self.screen.table
+        return fit(size.length, size.width, (left, top, max(1, width - panel), height))
 
     def _radius(self, ball: Ball) -> float:
         return self.table.body_of(ball)[0] * self.view.scale

@@ -39,6 +39,16 @@ def draw(
     return surface.blit(image, corner)
 
 
+@lru_cache(maxsize=256)
+def fitted(text: str, size: int, width: int) -> str:
+    """The text, or as much of its beginning as fits into `width` pixels, with an ellipsis."""
+    if font(size).size(text)[0] <= width:
+        return text
+    while text and font(size).size(text + "\N{HORIZONTAL ELLIPSIS}")[0] > width:
+        text = text[:-1]
+    return text + "\N{HORIZONTAL ELLIPSIS}"
+
+
 @lru_cache(maxsize=128)
 def wrap(text: str, size: int, width: int) -> tuple[str, ...]:
     """The text in lines no wider than `width` pixels; a word longer than that is broken."""

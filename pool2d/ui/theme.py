@@ -6,6 +6,8 @@ Color = tuple[int, int, int] | tuple[int, int, int, int]
 
 BACKGROUND = (13, 14, 16)
 PANEL = (16, 18, 20, 235)
+FACE = (30, 33, 35)
+FACE_LIT = (46, 50, 52)
 VEIL = (6, 7, 8, 190)
 EDGE = (56, 58, 60)
 TEXT = (236, 232, 224)
@@ -24,11 +26,14 @@ SIGHT = (226, 220, 206)
 MARK = (58, 164, 140)
 
 IVORY = (244, 240, 228)
+DOT = (176, 30, 36)
 CUE_SHAFT = (226, 196, 148)
 CUE_BUTT = (58, 32, 26)
 CUE_TIP = (70, 132, 178)
 GUIDE_CUE = (196, 222, 212)
 GUIDE_BALL = (238, 208, 136)
+WAY_OLD = (24, 100, 84)
+WAY_OTHER = (150, 190, 240)
 
 # Numbers 1 to 7; a stripe has the colour of the number eight less.
 BALLS = {

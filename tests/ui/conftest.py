@@ -61,7 +61,7 @@ class Hand:
 
     def pull(self, pixels: float) -> None:
         """From a pressed button, go back along the cue."""
-        angle = math.radians(self.play.aim.angle)
+        angle = math.radians(self.play.hands.aim.angle)
         self.move((self.at[0] - pixels * math.cos(angle), self.at[1] + pixels * math.sin(angle)))
 
     def wait_for_rest(self) -> None:

@@ -31,6 +31,15 @@ def test_the_command_runs_its_frames_and_ends() -> None:
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
+@pytest.mark.parametrize("driver", ["x11", "bogus"])
+def test_without_a_display_it_says_so_in_one_line(driver: str) -> None:
+    environment = {**os.environ, "SDL_VIDEODRIVER": driver, "DISPLAY": ":999"}
+    done = subprocess.run([sys.executable, "main.py"], cwd=ROOT, env=environment, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert "display: no window can be opened" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (800, 1000), (320, 200)])
 def test_the_table_is_to_scale_and_inside_the_window(hand: Hand, size: tuple[int, int]) -> None:
     hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
@@ -107,7 +116,7 @@ def test_help_lists_every_binding_and_closes(
 
 def test_every_action_that_a_key_is_bound_to_does_something(hand: Hand) -> None:
     window = {"fullscreen", "screenshot", "help", "quit"}
-    turns = {"turn_left", "turn_right", "spin_up", "spin_down", "spin_left", "spin_right"}
+    turns = {"turn_left", "turn_right"}
     assert {binding.action for binding in BINDINGS} == window | turns | set(hand.play._keys)
 
 
@@ -155,6 +164,8 @@ def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(tmp_path: Pa
         app.step(1.0)
         assert app.play.session.table.knobs.cloth.mu_roll == 0.02
         assert "mu_rol" in app.play.warning and "mu_roll?" in app.play.warning
+        line = len(good.splitlines()) + 3
+        assert f"line {line}:" in app.play.warning
         preset.unlink()
         app.step(1.0)
         assert "cannot be read" in app.play.warning
@@ -162,6 +173,22 @@ def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(tmp_path: Pa
         app.step(1.0)
         assert app.play.warning == ""
         assert app.play.session.table.knobs.cloth.mu_roll == 0.01
+    finally:
+        app.close()
+
+
+def test_a_change_of_the_base_is_taken_too(tmp_path: Path) -> None:
+    base, mine = tmp_path / "base.toml", tmp_path / "mine.toml"
+    base.write_text('base = "pool-9ft"\n[cloth]\nmu_roll = 0.012\n')
+    mine.write_text('base = "base.toml"\n[ball]\nrestitution = 0.93\n')
+    app = App(load_table(str(mine)), seed=1)
+    try:
+        app.step(0.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.012
+        base.write_text('base = "pool-9ft"\n[cloth]\nmu_roll = 0.0215\n')
+        app.step(1.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.0215
+        assert app.play.session.table.knobs.ball.restitution == 0.93
     finally:
         app.close()
 

@@ -18,7 +18,7 @@ CUE = Ball("cue", 0.635, 0.635)
 def test_a_shot_with_the_mouse_and_then_another(hand: Hand) -> None:
     session = hand.play.session
     hand.point(1.905, 0.635)
-    assert hand.play.aim.angle == pytest.approx(0.0, abs=0.1)
+    assert hand.play.hands.aim.angle == pytest.approx(0.0, abs=0.1)
     hand.press()
     hand.pull(200)
     hand.release()
@@ -49,13 +49,13 @@ def test_what_is_shown_is_what_was_computed(hand: Hand) -> None:
 
 def test_the_pull_freezes_the_aim_and_its_length_is_the_speed(hand: Hand) -> None:
     hand.point(1.7, 0.9)
-    aim = hand.play.aim
+    aim = hand.play.hands.aim
     hand.press()
     hand.pull(60)
-    weak = hand.play.pulled
+    weak = hand.play.hands.pulled
     hand.pull(60)
-    assert hand.play.aim == aim
-    assert hand.play.pulled > 1.9 * weak
+    assert hand.play.hands.aim == aim
+    assert hand.play.hands.pulled > 1.9 * weak
     hand.release()
     rollout = hand.play.rollout
     assert rollout is not None
@@ -90,32 +90,32 @@ def test_a_click_is_not_a_shot(hand: Hand) -> None:
 @pytest.mark.parametrize(("mod", "step"), [(0, 0.05), (pygame.KMOD_SHIFT, 0.01), (pygame.KMOD_CTRL, 1.0)])
 def test_fine_aim_by_keys(hand: Hand, mod: int, step: float) -> None:
     hand.point(1.7, 0.9)
-    angle = hand.play.aim.angle
+    angle = hand.play.hands.aim.angle
     hand.key(pygame.K_LEFT, mod)
-    assert hand.play.aim.angle == pytest.approx(angle + step)
+    assert hand.play.hands.aim.angle == pytest.approx(angle + step)
     hand.key(pygame.K_RIGHT, mod)
     hand.key(pygame.K_RIGHT, mod)
-    assert hand.play.aim.angle == pytest.approx(angle - step)
+    assert hand.play.hands.aim.angle == pytest.approx(angle - step)
 
 
 def test_fine_aim_by_wheel_outlasts_a_trembling_hand(hand: Hand) -> None:
     hand.point(1.7, 0.9)
-    angle = hand.play.aim.angle
+    angle = hand.play.hands.aim.angle
     hand.wheel(2)
-    assert hand.play.aim.angle == pytest.approx(angle + 0.1)
+    assert hand.play.hands.aim.angle == pytest.approx(angle + 0.1)
     hand.move((hand.at[0] + 3, hand.at[1] - 2))
-    assert hand.play.aim.angle == pytest.approx(angle + 0.1)
+    assert hand.play.hands.aim.angle == pytest.approx(angle + 0.1)
     hand.move((hand.at[0] + 30, hand.at[1]))
     x, y = hand.play.stage.view.to_table(*hand.at)
     through = math.degrees(math.atan2(y - CUE.y, x - CUE.x))
-    assert hand.play.aim.angle == pytest.approx(through)
+    assert hand.play.hands.aim.angle == pytest.approx(through)
 
 
 def test_the_aim_does_not_run_away_on_the_ball_itself(hand: Hand) -> None:
     hand.point(1.7, 0.9)
-    angle = hand.play.aim.angle
+    angle = hand.play.hands.aim.angle
     hand.point(CUE.x - 0.01, CUE.y - 0.01)
-    assert hand.play.aim.angle == angle
+    assert hand.play.hands.aim.angle == angle
 
 
 def test_power_and_strike_by_key(hand: Hand) -> None:
@@ -123,7 +123,7 @@ def test_power_and_strike_by_key(hand: Hand) -> None:
     for _ in range(4):
         hand.key(pygame.K_UP)
     hand.key(pygame.K_DOWN)
-    assert hand.play.aim.speed == pytest.approx(3.75)
+    assert hand.play.hands.aim.speed == pytest.approx(3.75)
     hand.key(pygame.K_SPACE)
     assert hand.play.session.position.shots == 1
     hand.key(pygame.K_SPACE)
@@ -133,36 +133,36 @@ def test_power_and_strike_by_key(hand: Hand) -> None:
 def test_spin_by_keys_and_by_the_ball_diagram(hand: Hand) -> None:
     for key in (pygame.K_w, pygame.K_w, pygame.K_d):
         hand.key(key)
-    assert (hand.play.aim.side, hand.play.aim.height) == pytest.approx((0.05, 0.1))
+    assert (hand.play.hands.aim.side, hand.play.hands.aim.height) == pytest.approx((0.05, 0.1))
     box = hand.play.stage.screen.ball_diagram
     hand.move((box.centerx - box.width // 8, box.centery + box.height // 4))
     hand.press()
     hand.release()
-    assert (hand.play.aim.side, hand.play.aim.height) == pytest.approx((-0.25, -0.5), abs=0.02)
+    assert (hand.play.hands.aim.side, hand.play.hands.aim.height) == pytest.approx((-0.25, -0.5), abs=0.02)
     hand.key(pygame.K_BACKSPACE)
-    assert (hand.play.aim.side, hand.play.aim.height) == (0.0, 0.0)
+    assert (hand.play.hands.aim.side, hand.play.hands.aim.height) == (0.0, 0.0)
 
 
 def test_elevation_by_keys_and_by_the_cue_diagram(hand: Hand) -> None:
     for _ in range(5):
         hand.key(pygame.K_e)
     hand.key(pygame.K_q)
-    assert hand.play.aim.elevation == 4.0
+    assert hand.play.hands.aim.elevation == 4.0
     ball = hand.play.stage.screen.cue_ball_centre
     hand.move((ball[0] - 40, ball[1] - 40))
     hand.press()
     hand.release()
-    assert hand.play.aim.elevation == pytest.approx(45.0, abs=2.0)
+    assert hand.play.hands.aim.elevation == pytest.approx(45.0, abs=2.0)
     assert hand.play.session.position.shots == 0
 
 
 def test_dragging_a_diagram_leaves_the_aim_alone(hand: Hand) -> None:
     hand.point(1.7, 0.9)
     hand.move(hand.play.stage.screen.ball_diagram.center)
-    angle = hand.play.aim.angle
+    angle = hand.play.hands.aim.angle
     hand.press()
     hand.move((hand.at[0] + 10, hand.at[1] - 300))
-    assert hand.play.aim.angle == angle
+    assert hand.play.hands.aim.angle == angle
     hand.release()
 
 

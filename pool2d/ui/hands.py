@@ -1,0 +1,110 @@
+"""What the player's hands do with the cue: aim, pull back, let go, and set the diagrams."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from ..physics.values import Ball
+from .aim import FULL_PULL, Aim, pulled_speed
+from .hud import Screen
+from .view import View
+
+Pos = tuple[int, int]
+
+# The aim, once set by wheel or keys, stays until the pointer has moved this far, in pixels.
+_HOLD = 8.0
+
+
+class Hands:
+    """The aim, and what is being done to it.
+
+    `pull` is where a pull began and `pulled` how far back it has come, in pixels; `drag` names the
+    diagram being dragged; `hold` is where the pointer was when the aim was set by wheel or keys.
+    """
+
+    def __init__(self) -> None:
+        self.aim = Aim()
+        self.pointer: Pos | None = None
+        self.pull: Pos | None = None
+        self.pulled = 0.0
+        self.drag = ""
+        self.hold: Pos | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether a button is held on the cue or on a diagram."""
+        return self.pull is not None or bool(self.drag)
+
+    @property
+    def speed(self) -> float:
+        """The cue's speed if it were let go now, or struck by key; 0 for a pull too short."""
+        return self.aim.speed if self.pull is None else pulled_speed(self.pulled)
+
+    @property
+    def drawn(self) -> float:
+        """How far back the cue is, as a part of a full pull."""
+        return 0.0 if self.pull is None else min(max(self.pulled / FULL_PULL, 0.0), 1.0)
+
+    def point(self, pos: Pos, view: View, cue: Ball, radius: float) -> None:
+        """Aim through the pointer, unless a fine aim is held or the pointer is on the ball itself."""
+        if self.hold is not None and math.dist(pos, self.hold) < _HOLD:
+            return
+        x, y = view.to_table(*pos)
+        if math.hypot(x - cue.x, y - cue.y) > radius:
+            self.hold = None
+            self.aim = self.aim.toward(x - cue.x, y - cue.y)
+
+    def grab(self, pos: Pos, screen: Screen) -> bool:
+        """Take hold of a diagram, if one is there."""
+        if screen.ball_diagram.collidepoint(pos):
+            self.drag = "ball"
+        elif screen.cue_diagram.collidepoint(pos):
+            self.drag = "cue"
+        return self.move(pos, screen)
+
+    def begin_pull(self, pos: Pos) -> None:
+        """Take hold of the cue: the aim is frozen."""
+        self.pull, self.pulled = pos, 0.0
+
+    def move(self, pos: Pos, screen: Screen) -> bool:
+        """Move what is held; False where nothing is."""
+        if self.drag == "ball":
+            self.aim = self.aim.with_spin(*screen.spin_at(pos))
+        elif self.drag == "cue":
+            self.aim = self.aim.with_elevation(screen.elevation_at(pos))
+        elif self.pull is not None:
+            angle = math.radians(self.aim.angle)
+            # Back along the cue; on the screen y points down.
+            self.pulled = (self.pull[0] - pos[0]) * math.cos(angle) - (self.pull[1] - pos[1]) * math.sin(angle)
+        return self.busy
+
+    def let_go(self) -> float:
+        """Release the button; the speed of the stroke, or 0 where it is none."""
+        speed = self.speed if self.pull is not None else 0.0
+        self.put_down()
+        return speed
+
+    def put_down(self) -> None:
+        """Let go of everything without a stroke."""
+        self.pull = None
+        self.drag = ""
+
+    def turn(self, degrees: float) -> None:
+        """Turn the aim finely; it holds against small movements of the pointer."""
+        if self.pull is None:
+            self.aim = self.aim.turned(degrees)
+            self.hold = self.pointer
+
+    def nudge_tip(self, side: float, height: float) -> None:
+        self.aim = self.aim.with_spin(self.aim.side + side, self.aim.height + height)
+
+    def change_speed(self, by: float) -> None:
+        self.aim = self.aim.with_speed(self.aim.speed + by)
+
+    def raise_butt(self, degrees: float) -> None:
+        self.aim = self.aim.with_elevation(self.aim.elevation + degrees)
+
+    def center(self) -> None:
+        """No spin, level cue."""
+        self.aim = replace(self.aim, side=0.0, height=0.0, elevation=0.0)

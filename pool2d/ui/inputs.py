@@ -1,0 +1,210 @@
+"""Controls that hold a value: sliders, choices, text fields, lists."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import pygame
+
+from ..knobs import Knob
+from . import pen, text, theme
+from .widgets import Widget, plate, tone
+
+_BACK = "\N{SINGLE LEFT-POINTING ANGLE QUOTATION MARK}"
+_ON = "\N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK}"
+
+
+class Slider(Widget):
+    """A number within a knob's range. Left and Right move it (Shift finely, Ctrl coarsely); Delete resets it."""
+
+    rows = 1.9
+
+    def __init__(
+        self, label: str, knob: Knob, get: Callable[[], float], put: Callable[[float], None], reset: Callable[[], None]
+    ) -> None:
+        super().__init__()
+        self.label = label
+        self.knob = knob
+        self.get = get
+        self.put = put
+        self.reset = reset
+        self.hint = f"{knob.doc}; {knob.allowed()}"
+        # Where a range spans several powers of ten, equal steps are equal ratios.
+        self._log = knob.lo > 0.0 and knob.hi / knob.lo >= 50.0
+        self._unit = 8
+
+    def part(self, value: float) -> float:
+        """Where in the range a value is, 0 to 1."""
+        lo, hi = self.knob.lo, self.knob.hi
+        return math.log(value / lo) / math.log(hi / lo) if self._log else (value - lo) / (hi - lo)
+
+    def value(self, part: float) -> float:
+        """The value at a part of the range, to three or four digits."""
+        lo, hi = self.knob.lo, self.knob.hi
+        part = min(max(part, 0.0), 1.0)
+        exact = lo * math.pow(hi / lo, part) if self._log else lo + part * (hi - lo)
+        return min(max(float(f"{exact:.4g}"), lo), hi)
+
+    def press(self, pos: tuple[int, int]) -> None:
+        self.drag(pos)
+
+    def drag(self, pos: tuple[int, int]) -> None:
+        track = self._track()
+        self.put(self.value((pos[0] - track.left) / max(1, track.width)))
+
+    def key(self, key: int, mod: int) -> bool:
+        if key in (pygame.K_LEFT, pygame.K_RIGHT):
+            step = 0.001 if mod & pygame.KMOD_SHIFT else 0.1 if mod & pygame.KMOD_CTRL else 0.01
+            self.put(self.value(self.part(self.get()) + (step if key == pygame.K_RIGHT else -step)))
+        elif key in (pygame.K_HOME, pygame.K_END):
+            self.put(self.knob.lo if key == pygame.K_HOME else self.knob.hi)
+        elif key in (pygame.K_DELETE, pygame.K_BACKSPACE):
+            self.reset()
+        else:
+            return False
+        return True
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        self._unit = unit
+        track, value = self._track(), self.get()
+        top = self.rect.top + unit // 2
+        color = theme.ACCENT if focused else theme.TEXT
+        text.draw(surface, self.label, unit * 7 // 4, color, (self.rect.left, top))
+        shown = f"{value:.4g} {self.knob.unit}".rstrip()
+        text.draw(surface, shown, unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
+        pygame.draw.rect(surface, theme.EDGE, track, border_radius=track.height)
+        x = round(track.left + self.part(value) * track.width)
+        pygame.draw.rect(surface, theme.ACCENT, (track.left, track.top, x - track.left, track.height), border_radius=4)
+        if focused or hovered:
+            pen.disc(surface, theme.EDGE, (x, track.centery), unit * 1.3)
+        pen.disc(surface, theme.TEXT, (x, track.centery), unit * 0.85)
+
+    def _track(self) -> pygame.Rect:
+        unit = self._unit
+        return pygame.Rect(
+            self.rect.left + unit, self.rect.bottom - unit * 7 // 4, self.rect.width - 2 * unit, unit // 2
+        )
+
+
+class Choice(Widget):
+    """One of a few names, on one line: click its left or right half, or press Left or Right."""
+
+    rows = 1.25
+
+    def __init__(
+        self, label: str, options: Callable[[], Sequence[str]], get: Callable[[], str], put: Callable[[str], None],
+        hint: str = "",
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.label = label
+        self.options = options
+        self.get = get
+        self.put = put
+        self.hint = hint
+
+    def turn(self, by: int) -> None:
+        options = list(self.options())
+        at = options.index(self.get()) if self.get() in options else 0
+        self.put(options[(at + by) % len(options)])
+
+    def press(self, pos: tuple[int, int]) -> None:
+        middle = self.rect.left + self.rect.width * 7 // 10
+        self.turn(-1 if pos[0] < middle else 1)
+
+    def key(self, key: int, mod: int) -> bool:
+        if key in (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_SPACE, pygame.K_RETURN):
+            self.turn(-1 if key == pygame.K_LEFT else 1)
+            return True
+        return False
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        size = unit * 7 // 4
+        color = theme.ACCENT if focused else theme.TEXT
+        text.draw(surface, self.label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+        box = pygame.Rect(
+            self.rect.left + self.rect.width * 2 // 5, self.rect.top, self.rect.width * 3 // 5, self.rect.height
+        )
+        box.inflate_ip(0, -unit // 2)
+        plate(surface, box, theme.FACE_LIT if hovered else theme.FACE, unit, tone(focused, False))
+        text.draw(surface, _BACK, size, theme.QUIET, (box.left + unit, box.centery), (0.0, 0.5))
+        text.draw(surface, _ON, size, theme.QUIET, (box.right - unit, box.centery), (1.0, 0.5))
+        shown = text.fitted(self.get(), size, box.width - 5 * unit)
+        text.draw(surface, shown, size, theme.TEXT, box.center, (0.5, 0.5))
+
+
+class TextField(Widget):
+    """A line of text to type in."""
+
+    rows = 2.4
+
+    def __init__(self, label: str, value: str = "", limit: int = 40) -> None:
+        super().__init__()
+        self.label = label
+        self.value = value
+        self.limit = limit
+
+    def key(self, key: int, mod: int) -> bool:
+        if key == pygame.K_BACKSPACE:
+            self.value = "" if mod & pygame.KMOD_CTRL else self.value[:-1]
+            return True
+        return False
+
+    def type(self, words: str) -> None:
+        self.value = (self.value + "".join(char for char in words if char.isprintable()))[: self.limit]
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        size = unit * 7 // 4
+        text.draw(surface, self.label, size, theme.QUIET, self.rect.topleft)
+        box = pygame.Rect(self.rect.left, self.rect.bottom - unit * 7 // 2, self.rect.width, unit * 3)
+        plate(surface, box, theme.FACE, unit, tone(focused, hovered))
+        shown = self.value + ("|" if focused else "")
+        # The end of a long text is what one types at.
+        while len(shown) > 1 and text.font(size).size(shown)[0] > box.width - 2 * unit:
+            shown = shown[1:]
+        text.draw(surface, shown, size, theme.TEXT, (box.left + unit, box.centery), (0.0, 0.5))
+
+
+class ListBox(Widget):
+    """Names below each other, one of which is chosen; it scrolls to keep that in sight."""
+
+    def __init__(
+        self, options: Callable[[], Sequence[str]], get: Callable[[], str], put: Callable[[str], None], lines: int = 8
+    ) -> None:
+        super().__init__()
+        self.options = options
+        self.get = get
+        self.put = put
+        self.lines = lines
+        self.rows = float(lines)
+
+    def first(self) -> int:
+        """The first line in sight."""
+        options = list(self.options())
+        at = options.index(self.get()) if self.get() in options else 0
+        return max(0, min(at - self.lines // 2, len(options) - self.lines))
+
+    def press(self, pos: tuple[int, int]) -> None:
+        options = list(self.options())
+        line = self.first() + (pos[1] - self.rect.top) * self.lines // max(1, self.rect.height)
+        if 0 <= line < len(options):
+            self.put(options[line])
+
+    def key(self, key: int, mod: int) -> bool:
+        options = list(self.options())
+        if key not in (pygame.K_UP, pygame.K_DOWN) or not options:
+            return False
+        at = options.index(self.get()) if self.get() in options else -1
+        self.put(options[min(max(at + (1 if key == pygame.K_DOWN else -1), 0), len(options) - 1)])
+        return True
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        plate(surface, self.rect, theme.FACE, unit, tone(focused, False))
+        pitch = self.rect.height / self.lines
+        first = self.first()
+        for i, name in enumerate(list(self.options())[first : first + self.lines]):
+            line = pygame.Rect(self.rect.left, round(self.rect.top + i * pitch), self.rect.width, round(pitch))
+            if name == self.get():
+                plate(surface, line.inflate(-unit // 2, -unit // 4), theme.FACE_LIT, unit, None)
+            shown = text.fitted(name, unit * 7 // 4, line.width - 3 * unit)
+            text.draw(surface, shown, unit * 7 // 4, theme.TEXT, (line.left + unit * 3 // 2, line.centery), (0.0, 0.5))

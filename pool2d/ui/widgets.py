@@ -1,0 +1,182 @@
+"""Controls drawn by hand: the base of all, headings, buttons, toggles, tabs.
+
+A widget has a place and takes the events that its form hands it. All of them work by mouse and by
+keyboard; all colours and measures come from the theme.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import pygame
+
+from . import pen, text, theme
+
+
+class Widget:
+    """What every control has. `rows` is its height in rows of the form; `hint` is told on hovering."""
+
+    rows = 1.0
+    focusable = True
+    hint = ""
+
+    def __init__(self) -> None:
+        self.rect = pygame.Rect(0, 0, 0, 0)
+
+    def press(self, pos: tuple[int, int]) -> None:
+        """The button went down on it."""
+
+    def drag(self, pos: tuple[int, int]) -> None:
+        """The pointer moved with the button down."""
+
+    def release(self, pos: tuple[int, int]) -> None:
+        """The button went up again."""
+
+    def key(self, key: int, mod: int) -> bool:
+        """A key, while it has the focus; whether it meant something to it."""
+        return False
+
+    def type(self, words: str) -> None:
+        """Text, while it has the focus."""
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        """Draw it in its place."""
+
+
+def plate(surface: pygame.Surface, rect: pygame.Rect, color: theme.Color, unit: int, edge: theme.Color | None) -> None:
+    """A rounded rectangle, with an edge or without."""
+    pygame.draw.rect(surface, color, rect, border_radius=unit * 3 // 4)
+    if edge is not None:
+        pygame.draw.rect(surface, edge, rect, max(1, unit // 6), border_radius=unit * 3 // 4)
+
+
+def tone(focused: bool, hovered: bool) -> theme.Color:
+    """The colour of an edge."""
+    return theme.ACCENT if focused else theme.TEXT if hovered else theme.EDGE
+
+
+class Heading(Widget):
+    """Text that only tells, in as many lines as there is room for."""
+
+    focusable = False
+
+    def __init__(
+        self, words: Callable[[], str], color: theme.Color = theme.QUIET, large: bool = False, lines: int = 1
+    ) -> None:
+        super().__init__()
+        self.words = words
+        self.color = color
+        self.large = large
+        self.lines = lines
+        self.rows = max(1.0, 0.8 * lines)
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        size = unit * 5 // 2 if self.large else unit * 7 // 4
+        words = self.words()
+        if self.lines == 1:
+            line = text.fitted(words, size, self.rect.width)
+            text.draw(surface, line, size, self.color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+            return
+        pitch = text.font(size).get_linesize()
+        for i, line in enumerate(text.wrap(words, size, self.rect.width)[: self.lines]):
+            text.draw(surface, line, size, self.color, (self.rect.left, self.rect.top + i * pitch))
+
+
+class Button(Widget):
+    """Does something when it is pressed and released, or on Enter or Space."""
+
+    rows = 1.5
+
+    def __init__(self, label: str, do: Callable[[], None], hint: str = "", strong: bool = False) -> None:
+        super().__init__()
+        self.label = label
+        self.do = do
+        self.hint = hint
+        self.strong = strong
+        self._down = False
+
+    def press(self, pos: tuple[int, int]) -> None:
+        self._down = True
+
+    def release(self, pos: tuple[int, int]) -> None:
+        if self._down and self.rect.collidepoint(pos):
+            self.do()
+        self._down = False
+
+    def key(self, key: int, mod: int) -> bool:
+        if key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE):
+            self.do()
+            return True
+        return False
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        face = self.rect.inflate(0, -unit // 2)
+        color = theme.ACCENT if self.strong else theme.FACE_LIT if hovered or self._down else theme.FACE
+        edge = theme.TEXT if focused and self.strong else tone(focused, hovered)
+        plate(surface, face, color, unit, edge)
+        words = theme.BACKGROUND if self.strong else theme.TEXT
+        text.draw(surface, self.label, unit * 7 // 4, words, face.center, (0.5, 0.5))
+
+
+class Toggle(Widget):
+    """On or off."""
+
+    rows = 1.25
+
+    def __init__(self, label: str, get: Callable[[], bool], put: Callable[[bool], None], hint: str = "") -> None:
+        super().__init__()
+        self.label = label
+        self.get = get
+        self.put = put
+        self.hint = hint
+
+    def press(self, pos: tuple[int, int]) -> None:
+        self.put(not self.get())
+
+    def key(self, key: int, mod: int) -> bool:
+        if key in (pygame.K_RETURN, pygame.K_SPACE, pygame.K_LEFT, pygame.K_RIGHT):
+            self.put(not self.get())
+            return True
+        return False
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        color = theme.ACCENT if focused else theme.TEXT
+        text.draw(surface, self.label, unit * 7 // 4, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+        track = pygame.Rect(0, 0, unit * 4, unit * 2)
+        track.midright = self.rect.midright
+        on = self.get()
+        pygame.draw.rect(surface, theme.ACCENT if on else theme.EDGE, track, border_radius=unit)
+        x = track.right - unit if on else track.left + unit
+        pen.disc(surface, theme.TEXT, (x, track.centery), unit * 0.8)
+
+
+class Tabs(Widget):
+    """Names side by side, one of which is open."""
+
+    rows = 1.5
+
+    def __init__(self, names: Sequence[str], get: Callable[[], str], put: Callable[[str], None]) -> None:
+        super().__init__()
+        self.names = list(names)
+        self.get = get
+        self.put = put
+
+    def press(self, pos: tuple[int, int]) -> None:
+        index = (pos[0] - self.rect.left) * len(self.names) // max(1, self.rect.width)
+        self.put(self.names[min(max(index, 0), len(self.names) - 1)])
+
+    def key(self, key: int, mod: int) -> bool:
+        if key in (pygame.K_LEFT, pygame.K_RIGHT):
+            step = 1 if key == pygame.K_RIGHT else -1
+            self.put(self.names[(self.names.index(self.get()) + step) % len(self.names)])
+            return True
+        return False
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        width = self.rect.width / len(self.names)
+        for i, name in enumerate(self.names):
+            tab = pygame.Rect(round(self.rect.left + i * width), self.rect.top, round(width) - 1, self.rect.height)
+            tab.inflate_ip(-unit // 4, -unit // 2)
+            here = name == self.get()
+            plate(surface, tab, theme.FACE_LIT if here else theme.FACE, unit, tone(focused, False) if here else None)
+            text.draw(surface, name, unit * 3 // 2, theme.TEXT if here else theme.QUIET, tab.center, (0.5, 0.5))
