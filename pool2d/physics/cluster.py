@@ -32,9 +32,12 @@ _LONGEST = 400
 
 
 class Contact:
-    """Two balls that touch or nearly do. `depth` is negative while there is a gap; `met` once it closed."""
+    """Two balls that touch or nearly do. `depth` is negative while there is a gap; `met` once it closed.
 
-    __slots__ = ("a", "b", "n", "depth", "met", "stiffness", "loss")
+    `slip` is the fastest so far: it sets the friction of the whole impact, as it does for two balls alone.
+    """
+
+    __slots__ = ("a", "b", "n", "depth", "met", "slip", "stiffness", "loss")
 
     def __init__(self, a: Body, b: Body, gap: float, loss: float) -> None:
         self.a = a
@@ -42,6 +45,7 @@ class Contact:
         self.n = normal(a, b)
         self.depth = -gap
         self.met = False
+        self.slip = 0.0
         # Springs of Hertz: K goes with the root of the effective radius.
         self.stiffness = stiffness(a, b)
         self.loss = loss * math.sqrt(self.stiffness * a.mass * b.mass / (a.mass + b.mass))
@@ -93,15 +97,15 @@ def solve(pairs: list[tuple[Body, Body, float]], speed: float, physics: Physics)
     # As in `gentle`: what is slow is elastic.
     loss = damping(physics.ball.restitution) if speed * physics.ball.restitution > GENTLE else 0.0
     contacts = [Contact(a, b, gap, loss) for a, b, gap in pairs]
-    bodies = list({ball.index: ball for pair in pairs for ball in pair[:2]}.values())
-    before = sum(ball.energy() for ball in bodies)
+    before = {ball.index: ball.energy() for pair in pairs for ball in pair[:2]}
     friction = FRICTION[physics.ball.law]
     time = max(duration(a, b, speed) for a, b, _ in pairs)
     for step in range(_LONGEST * STEPS):
         if not _step(contacts, time / STEPS, friction, physics) and step > 1:
             break
-    _settle(bodies, before)
-    return [contact for contact in contacts if contact.met]
+    met = [contact for contact in contacts if contact.met]
+    _settle(list({ball.index: ball for contact in met for ball in (contact.a, contact.b)}.values()), before)
+    return met
 
 
 def _step(contacts: list[Contact], dt: float, friction: Friction, physics: Physics) -> bool:
@@ -117,38 +121,41 @@ def _step(contacts: list[Contact], dt: float, friction: Friction, physics: Physi
         root = math.sqrt(d)
         along = dt * (contact.stiffness * d * root + contact.loss * math.sqrt(root) * closing)
         if along > 0.0:
-            impulses.append((contact, along, *_rub(a, b, n, closing, along, friction, physics)))
+            impulses.append((contact, along, *_rub(contact, closing, along, friction, physics)))
     # All impulses come from the same moment, so their order is of no consequence.
     for contact, along, fx, fy, fz in impulses:
         push(contact.a, contact.b, contact.n, along, fx, fy, fz)
     return any(contact.depth > 0.0 for contact in contacts)
 
 
-def _rub(a: Body, b: Body, n: Vector, closing: float, along: float, friction: Friction, physics: Physics) -> Vector:
+def _rub(contact: Contact, closing: float, along: float, friction: Friction, physics: Physics) -> Vector:
     """The friction of one step of a contact: Coulomb's, or what ends the slip."""
-    sx, sy, sz = slip(a, b, n, closing)
+    a, b = contact.a, contact.b
+    sx, sy, sz = slip(a, b, contact.n, closing)
     size = math.sqrt(sx * sx + sy * sy + sz * sz)
     if size == 0.0:
         return 0.0, 0.0, 0.0
-    rub = -min(friction(size, physics) * along / size, 1.0 / (3.5 * (1.0 / a.mass + 1.0 / b.mass)))
+    contact.slip = max(contact.slip, size)
+    limit = friction(contact.slip, physics) * along
+    rub = -min(limit / size, 1.0 / (3.5 * (1.0 / a.mass + 1.0 / b.mass)))
     return rub * sx, rub * sy, rub * sz
 
 
-def _settle(bodies: list[Body], before: float) -> None:
+def _settle(balls: list[Body], before: dict[int, float]) -> None:
     """Take back what the steps' rounding added to the energy, if anything, keeping the momentum.
 
     Of an elastic impact the steps miss some 1e-4 of the energy, to either side.
     """
-    after = sum(ball.energy() for ball in bodies)
-    if after <= before:
+    surplus = sum(ball.energy() - before[ball.index] for ball in balls)
+    mass = sum(ball.mass for ball in balls)
+    vx, vy = sum(ball.mass * ball.vx for ball in balls) / mass, sum(ball.mass * ball.vy for ball in balls) / mass
+    # The energy of travel about the common centre; it is the springs that the steps round.
+    inner = sum(0.5 * ball.mass * ((ball.vx - vx) ** 2 + (ball.vy - vy) ** 2) for ball in balls)
+    if surplus <= 0.0 or inner <= 0.0:
         return
-    mass = sum(ball.mass for ball in bodies)
-    vx, vy = sum(ball.mass * ball.vx for ball in bodies) / mass, sum(ball.mass * ball.vy for ball in bodies) / mass
-    common = 0.5 * mass * (vx * vx + vy * vy)
-    part = math.sqrt(max(0.0, before - common) / (after - common)) * (1.0 - 1e-15)
-    for ball in bodies:
+    part = math.sqrt(max(0.0, 1.0 - surplus / inner)) * (1.0 - 1e-15)
+    for ball in balls:
         ball.vx, ball.vy = vx + part * (ball.vx - vx), vy + part * (ball.vy - vy)
-        ball.wx, ball.wy, ball.wz = part * ball.wx, part * ball.wy, part * ball.wz
 
 
 @lru_cache(maxsize=64)
