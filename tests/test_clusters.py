@@ -1,225 +1,289 @@
-"""Many balls touching at once, and balls that touch cushions."""
+"""Balls in contact as springs: racks under every law, cradles, balls on a rail, pairs, balls of several sizes."""
 
 from __future__ import annotations
 
 import math
 import random
+from collections.abc import Iterable
 from itertools import pairwise
 
 import pytest
 
 from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
-from pool2d.physics import cluster
-from pool2d.physics.contact import Contacts
+from pool2d.physics.balls import BALL_LAWS
+from pool2d.physics.cluster import solve
+from pool2d.physics.contact import PRESSED
 from pool2d.physics.motion import Body
-from pool2d.physics.values import ROLLING
+from pool2d.physics.params import BallKnobs, Physics
 
 from .checks import assert_sound, energy
+from .scenes import open_table
 
 TABLE = load_table("pool-9ft")
-SMOOTH = TABLE.with_knobs({"ball.restitution": 1.0, "ball.law": "frictionless"})
 RADIUS = TABLE.knobs.ball.radius
-SPEED = 8.0
+PITCH, LOW = 2.0 * RADIUS, TABLE.reach(RADIUS)
+MIDDLE = 0.635
+# Names of the balls of a rack by row and place, and each one's mirror image.
+NAMES = [f"{row}{place}" for row in range(5) for place in range(row + 1)]
+MIRROR = {"cue": "cue", **{name: f"{name[0]}{int(name[0]) - int(name[1])}" for name in NAMES}}
+LAWS = pytest.mark.parametrize("law", BALL_LAWS)
 
 
-def tight_rack(speed: float = SPEED, gap: float = 0.0, cue: float = 0.635) -> Layout:
-    """Fifteen balls in a triangle, and a cue ball on its way to the first."""
-    balls = [Ball("cue", 1.2, cue, vx=speed, wy=speed / RADIUS)]
-    pitch = 2.0 * RADIUS + gap
-    for i in range(5):
-        for j in range(i + 1):
-            x, y = 1.905 + i * pitch * math.sqrt(0.75), 0.635 + (j - i / 2.0) * pitch
-            balls.append(Ball(f"r{i}{j}", x, y))
+def rack(names: Iterable[str] = NAMES) -> Layout:
+    """Fifteen balls that touch, and the cue ball in line with them."""
+    balls = [Ball("cue", 1.0, MIDDLE)]
+    for place, name in zip(NAMES, names, strict=True):
+        row, step = int(place[0]), int(place[1])
+        balls.append(Ball(name, 1.9 + row * PITCH * math.sqrt(0.75), MIDDLE + (step - row / 2.0) * PITCH))
     return Layout(balls)
 
 
-def mirror(name: str) -> str:
-    """The ball that stands opposite another in the rack."""
-    return name if name == "cue" else f"r{name[1]}{int(name[1]) - int(name[2])}"
+def cluster(roll: Rollout) -> Event:
+    """The first event of many balls."""
+    return next(event for event in roll.events if event.kind == "cluster")
 
 
-def first(rollout: Rollout, *kinds: str) -> Event:
-    return next(event for event in rollout.events if event.kind in kinds)
+def with_law(law: str, table: Table = TABLE) -> Table:
+    return table.with_knobs({"ball.law": law})
 
 
-def row(count: int, gap: float, speed: float) -> Layout:
-    """Balls in line along x, the first one moving; the first two touch."""
-    places = [0.6 + i * 2.0 * RADIUS + max(0, i - 1) * gap for i in range(count)]
-    balls = [Ball(str(i), x, 0.635) for i, x in enumerate(places)]
-    return Layout([balls[0]._replace(vx=speed), *balls[1:]])
+@LAWS
+@pytest.mark.parametrize("shot", [Shot(speed=8.0), Shot(speed=8.0, height=0.3), Shot(speed=3.0, height=-0.3)])
+def test_rack_broken_square_stays_a_mirror_of_itself(law: str, shot: Shot) -> None:
+    table = with_law(law)
+    roll = simulate(table, rack(), shot)
+    first = cluster(roll).after
+    assert set(first) == set(MIRROR)
+    for name, image in MIRROR.items():
+        a, b = first[name], first[image]
+        velocity = (b.vx, -b.vy, -RADIUS * b.wx, RADIUS * b.wy, -RADIUS * b.wz)
+        found = (a.vx, a.vy, RADIUS * a.wx, RADIUS * a.wy, RADIUS * a.wz)
+        assert found == pytest.approx(velocity, abs=1e-9 * shot.speed)
+    # And through the whole shot, wherever the balls are.
+    for i in range(101):
+        now = roll.at(roll.duration * i / 100)
+        for name, image in MIRROR.items():
+            a, b = now[name], now[image]
+            assert (a.x, a.y) == pytest.approx((b.x, 2.0 * MIDDLE - b.y), abs=1e-6), now
 
 
-def velocities(rollout: Rollout, count: int) -> list[float]:
-    """Along the line, when all contacts of the first 10 ms are over."""
-    last = max(event.t for event in rollout.events if event.t < 0.01 and event.kind in ("ball_ball", "cluster"))
-    return [rollout.ball_at(str(i), last).vx for i in range(count)]
+@LAWS
+def test_names_of_the_balls_are_of_no_consequence(law: str) -> None:
+    """Another name sorts a ball elsewhere, so that sums may differ by their rounding, and by no more."""
+    table, shot = with_law(law), Shot(angle=2.0, speed=8.0, side=0.2)
+    first = cluster(simulate(table, rack(), shot, events=2)).after
+    names = list(NAMES)
+    random.Random(4).shuffle(names)
+    other = cluster(simulate(table, rack(names), shot, events=2)).after
+    for place, name in zip(NAMES, names, strict=True):
+        a, b = first[place], other[name]
+        assert (b.vx, b.vy) == pytest.approx((a.vx, a.vy), abs=1e-11)
+        assert (b.wx, b.wy, b.wz) == pytest.approx((a.wx, a.wy, a.wz), abs=1e-9)
 
 
-@pytest.mark.parametrize("table", [TABLE, SMOOTH], ids=["preset", "smooth"])
-def test_a_square_break_is_symmetric(table: Table) -> None:
-    """Right after it, and until chaos has made much of the last digits."""
-    rollout = simulate(table, tight_rack())
-    event = first(rollout, "cluster")
-    assert len(event.balls) == 16
-    for name, ball in event.after.items():
-        other = event.after[mirror(name)]
-        assert (ball.vx, ball.vy) == pytest.approx((other.vx, -other.vy), abs=1e-9 * SPEED)
-        assert (ball.wx, ball.wy, ball.wz) == pytest.approx((-other.wx, other.wy, -other.wz), abs=1e-7)
-    later = rollout.at(event.t + 0.25)
-    for name, ball in later.items():
-        other = later[mirror(name)]
-        assert (ball.x, ball.y - 0.635) == pytest.approx((other.x, 0.635 - other.y), abs=1e-6)
+@pytest.mark.parametrize("gap", [0.0, 1e-6, 1e-5, 1e-4])
+@pytest.mark.parametrize("restitution", [0.0, 0.5, 0.95, 1.0])
+@LAWS
+def test_cluster_keeps_momentum_and_adds_no_energy(law: str, restitution: float, gap: float) -> None:
+    table = with_law(law).with_knobs({"ball.restitution": restitution, "ball.cling": 3.0})
+    layout = Layout(
+        ball._replace(x=1.0 + (ball.x - 1.0) * (1.0 + gap / PITCH)) if ball.id != "cue" else ball
+        for ball in rack().values()
+    )
+    roll = simulate(table, layout, Shot(angle=3.0, speed=8.0, side=0.4, height=-0.4))
+    for event in roll.events:
+        if event.kind == "cluster":
+            old, new = event.before, event.after
+            assert energy(table, new.values()) <= energy(table, old.values()) * (1.0 + 1e-12)
+            # Balls that are only pressed together feel the cloth at once, too.
+            if approach(*(old[name] for name in event.pairs[0])) > PRESSED:
+                for name in ("vx", "vy"):
+                    before, after = (sum(getattr(ball, name) for ball in balls.values()) for balls in (old, new))
+                    assert after == pytest.approx(before, abs=1e-12)
+    assert sum(event.kind == "cluster" for event in roll.events) >= (gap < 1e-4)
+
+
+def approach(a: Ball, b: Ball) -> float:
+    """How fast two balls near each other, m/s."""
+    dx, dy = b.x - a.x, b.y - a.y
+    return ((a.vx - b.vx) * dx + (a.vy - b.vy) * dy) / math.hypot(dx, dy)
+
+
+def row(count: int, gap: float, moving: int = 1, v: float = 0.5) -> list[float]:
+    """Velocities over `v` after the first balls of a row, `moving` of them, have run into the others."""
+    table = open_table(ball__law="frictionless", ball__restitution=1.0)
+    # The ones that move arrive from so near that the cloth has no time to act.
+    places = [2.0 + i * (PITCH + gap) + (gap - 1e-9 if i < moving else 0.0) for i in range(count)]
+    balls = [Ball(str(i), x, 2.0, v if i < moving else 0.0) for i, x in enumerate(places)]
+    roll = simulate(table, Layout(balls))
+    last = [event.t for event in roll.events if event.kind in ("ball_ball", "cluster") and event.t < 0.01][-1]
+    return [roll.at(last)[str(i)].vx / v for i in range(count)]
+
+
+@pytest.mark.parametrize(("count", "moving"), [(2, 1), (3, 1), (5, 1), (3, 2), (5, 2), (5, 3)])
+def test_a_tenth_of_a_millimetre_makes_a_cradle(count: int, moving: int) -> None:
+    """Balls a hair apart meet one after the other: as many leave as came."""
+    expected = [0.0] * (count - moving) + [1.0] * moving
+    # The cloth takes 0.08 % on the way through each gap.
+    assert row(count, 1e-4, moving) == pytest.approx(expected, abs=1e-3 * (count - 2 if count > 2 else 1))
+
+
+def test_between_touching_and_apart_there_is_no_jump() -> None:
+    """The wider the gaps the more the last ball takes."""
+    taken = [row(3, gap)[2] for gap in (0.0, 1e-7, 1e-6, 3e-6, 1e-5, 2e-5, 3e-5, 4e-5)]
+    assert taken == sorted(taken)
+    assert max(b - a for a, b in pairwise(taken)) < 2.5e-3
+
+
+@pytest.mark.parametrize("law", BALL_LAWS)
+@pytest.mark.parametrize("restitution", [0.5, 0.9, 0.95, 1.0])
+@pytest.mark.parametrize("cut", [0.0, 20.0, 45.0, 70.0])
+@pytest.mark.parametrize("topspin", [0.0, 25.0])
+def test_pair_alone_leaves_the_springs_as_it_leaves_the_law(
+    law: str, restitution: float, cut: float, topspin: float
+) -> None:
+    physics, turn = Physics(ball=BallKnobs(restitution=restitution, law=law)), math.radians(cut)
+    nx, ny = math.cos(turn), math.sin(turn)
+
+    def pair() -> tuple[Body, Body]:
+        cue, other = Ball("a", 0.0, 0.0, 2.0, wy=topspin, wz=-20.0), Ball("b", PITCH * nx, PITCH * ny, wz=5.0)
+        return Body(cue, 0, RADIUS, 0.17), Body(other, 1, RADIUS, 0.17)
+
+    (a, b), (c, d) = pair(), pair()
+    BALL_LAWS[law](a, b, physics)
+    solve([(c, d, 0.0)], 2.0 * nx, physics)
+    assert (d.vx - c.vx) * nx + (d.vy - c.vy) * ny == pytest.approx(restitution * 2.0 * nx, rel=1e-6)
+    # The slate holds the balls down, so that slip up and down ends later than the laws reckon, by 5/2
+    # against 7/2 of the friction. The springs go through that; without such slip they agree.
+    speed, spin = (1e-6, 1e-6) if topspin == 0.0 else (6e-3, 3e-2)
+    for one, two in ((a, c), (b, d)):
+        assert (two.vx, two.vy) == pytest.approx((one.vx, one.vy), abs=2.0 * speed)
+        for name in ("wx", "wy", "wz"):
+            assert RADIUS * getattr(two, name) == pytest.approx(RADIUS * getattr(one, name), abs=2.0 * spin)
+
+
+# Balls on a rail.
+
+
+def played(*balls: Ball, shot: Shot, table: Table = TABLE, most: int = 60) -> Rollout:
+    roll = simulate(table, Layout(balls), shot)
+    assert_sound(table, roll, samples=200)
+    assert len(roll.events) < most
+    return roll
+
+
+def test_ball_on_a_rail_driven_straight_into_it() -> None:
+    roll = played(Ball("cue", 0.8, 0.6), Ball("1", 0.8, LOW), shot=Shot(angle=-90.0, speed=3.0))
+    hits = [event for event in roll.events if event.kind in ("ball_ball", "ball_cushion")][:3]
+    assert [event.kind for event in hits] == ["ball_ball", "ball_cushion", "ball_ball"]
+    # The ball in between hands the blow to the rail, and back to the cue ball.
+    assert hits[2].after["cue"].vy > 0.7 * -hits[0].before["cue"].vy
+    assert abs(hits[2].after["1"].vy) < 0.05
+    assert all(abs(x - 0.8) < 1e-9 for ball in ("cue", "1") for _, x, _ in roll.path(ball, 0.01))
+
+
+def test_ball_on_a_rail_sent_along_it() -> None:
+    roll = played(Ball("cue", 0.25, LOW), Ball("1", 0.5, LOW), shot=Shot(speed=2.0))
+    first = next(event for event in roll.events if event.kind == "ball_ball")
+    assert first.after["1"].vx > 1.5
+    assert max(y for _, x, y in roll.path("1", 0.005) if x < 1.0) < LOW + 1e-9
+
+
+def test_ball_on_a_rail_cut_thinly_runs_along_it() -> None:
+    roll = played(Ball("cue", 0.4, 0.2), Ball("1", 0.8, LOW), shot=Shot(angle=-20.0, speed=2.0))
+    first = next(event for event in roll.events if event.kind == "ball_ball")
+    assert first.after["1"].vx > 0.5
+    meets = [event.kind for event in roll.events if first.t <= event.t < first.t + 1e-6]
+    assert meets[:2] == ["ball_ball", "ball_cushion"]
+
+
+@pytest.mark.parametrize("height", [-0.4, 0.0, 0.4])
+def test_three_squeezed_against_a_rail(height: float) -> None:
+    balls = [Ball("cue", 0.8, LOW + 2.0 * PITCH), Ball("1", 0.8, LOW + PITCH), Ball("2", 0.8, LOW)]
+    roll = played(*balls, shot=Shot(angle=-90.0, speed=4.0, height=height))
+    assert cluster(roll).t < 1e-6
+    back = max(event.after["cue"].vy for event in roll.events if "cue" in event.balls)
+    assert back > 2.0
+    assert all(abs(x - 0.8) < 1e-9 for ball in ("cue", "1", "2") for _, x, _ in roll.path(ball, 0.01))
+
+
+def test_ball_between_the_jaws_of_a_pocket() -> None:
+    """A pocket too narrow for it holds a ball by both jaws; it is struck there, and comes out."""
+    table = TABLE.with_knobs({"corner.mouth": 0.05, "corner.drop_radius": 0.03})
+    way = table.cast(0.3, 0.3, -1.0, -1.0, Layout())[0] / math.sqrt(2.0)
+    wedged = Ball("1", 0.3 - way, 0.3 - way)
+    for angle in (-135.0, -130.0):
+        for speed in (0.5, 4.0, 12.0):
+            cue = Ball(
+                "cue", wedged.x - 0.4 * math.cos(math.radians(angle)), wedged.y - 0.4 * math.sin(math.radians(angle))
+            )
+            roll = played(cue, wedged, shot=Shot(angle=angle, speed=speed), table=table, most=120)
+            assert sum(event.where == "bottom-left jaw" for event in roll.events) >= 2
+            assert math.hypot(roll.layout()["1"].x, roll.layout()["1"].y) > math.hypot(wedged.x, wedged.y)
+
+
+# Two frozen balls, and balls of several sizes.
+
+
+@pytest.mark.parametrize("aim", [0.0, 20.0, 40.0])
+def test_second_of_two_frozen_balls_goes_where_they_point(aim: float) -> None:
+    turn = math.radians(aim)
+    table = open_table(ball__law="frictionless")
+    second = Ball("2", 3.0 + PITCH * math.cos(turn), 2.0 + PITCH * math.sin(turn))
+    roll = simulate(table, Layout([Ball("cue", 2.5, 2.0), Ball("1", 3.0, 2.0), second]), Shot(speed=3.0))
+    after = cluster(roll).after
+    assert math.degrees(math.atan2(after["2"].vy, after["2"].vx)) == pytest.approx(aim, abs=1e-5)
+    # What the second ball takes of the first one's way along the line is what restitution leaves it.
+    along = after["1"].vx * math.cos(turn) + after["1"].vy * math.sin(turn)
+    assert along < 0.25 * math.hypot(after["2"].vx, after["2"].vy)
+
+
+def test_a_pair_pushed_from_the_side_is_thrown() -> None:
+    """Friction on the first of two frozen balls carries the second off the line (Alciatore, frozen throw)."""
+    turn = math.radians(40.0)
+    second = Ball("2", 3.0 + PITCH * math.cos(turn), 2.0 + PITCH * math.sin(turn))
+    layout = Layout([Ball("cue", 2.5, 2.0), Ball("1", 3.0, 2.0), second])
+    after = cluster(simulate(open_table(), layout, Shot(speed=1.0))).after
+    thrown = 40.0 - math.degrees(math.atan2(after["2"].vy, after["2"].vx))
+    assert 2.0 < thrown < 7.0
+
+
+@LAWS
+def test_balls_of_several_sizes(law: str) -> None:
+    table = with_law(law)
+    rng = random.Random(5)
+    sizes = [(0.0255, 0.12), (0.028575, 0.17), (0.034, 0.28)]
+    for _ in range(40):
+        balls: list[Ball] = []
+        for i in range(4):
+            radius, mass = rng.choice(sizes)
+            x = 1.2 if not balls else balls[-1].x + 2.0 * math.sqrt(radius * (balls[-1].radius or RADIUS))
+            balls.append(Ball(str(i), x, 0.6, radius=radius, mass=mass))
+        wx, wy, wz = (rng.gauss(0.0, 50.0) for _ in range(3))
+        cue = Ball("cue", 1.0, 0.6 + rng.uniform(-0.03, 0.03), 3.0, 0.0, wx, wy, wz)
+        roll = simulate(table, Layout([cue, *balls]))
+        assert_sound(table, roll, samples=20)
+        for event in roll.events:
+            if event.kind == "cluster":
+                momenta = [
+                    [sum(getattr(ball, name) * table.body_of(roll.start[ball.id])[1] for ball in balls.values())
+                     for name in ("vx", "vy")]
+                    for balls in (event.before, event.after)
+                ]  # fmt: skip
+                assert momenta[0] == pytest.approx(momenta[1], abs=1e-12)
 
 
 def test_a_break_takes_hundreds_of_events_not_thousands() -> None:
-    for cue in (0.635, 0.6375, 0.65):
-        rollout = simulate(TABLE, tight_rack(12.0, cue=cue))
+    for aim in (0.0, 0.11, 0.6):
+        rollout = simulate(TABLE, rack(), Shot(angle=aim, speed=9.0))
         assert len(rollout.events) < 400
         assert_sound(TABLE, rollout)
 
 
 def test_the_order_of_the_balls_is_of_no_consequence_to_the_bit() -> None:
-    layout = tight_rack(cue=0.64)
-    expected = simulate(TABLE, layout).digest()
+    layout, shot = rack(), Shot(angle=0.2, speed=8.0)
+    expected = simulate(TABLE, layout, shot).digest()
     balls = list(layout.values())
     for seed in range(5):
         random.Random(seed).shuffle(balls)
-        assert simulate(TABLE, Layout(balls)).digest() == expected
-
-
-@pytest.mark.parametrize("gap", [0.0, 2e-5, 1e-4])
-@pytest.mark.parametrize("law", ["alciatore", "impulse", "frictionless", "mathavan2014"])
-def test_a_cluster_keeps_momentum_and_gains_no_energy(law: str, gap: float) -> None:
-    table = TABLE.with_knobs({"ball.law": law})
-    event = first(simulate(table, tight_rack(gap=gap, cue=0.638)), "cluster")
-    for part in ("vx", "vy"):
-        before = sum(getattr(ball, part) for ball in event.before.values())
-        assert sum(getattr(ball, part) for ball in event.after.values()) == pytest.approx(
-            before, abs=1e-12 * SPEED * 16
-        )
-    assert energy(table, event.after.values()) <= energy(table, event.before.values())
-
-
-def test_newtons_cradle_passes_the_blow_on() -> None:
-    after = [v / 2.0 for v in velocities(simulate(SMOOTH, row(5, 0.0, 2.0)), 5)]
-    assert after[-1] > 0.98
-    assert sum(after) == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize("speed", [0.3, 0.5])
-def test_a_tenth_of_a_millimetre_makes_it_one_after_another(speed: float) -> None:
-    table = SMOOTH.with_knobs({"cloth.mu_slide": 0.01})
-    after = velocities(simulate(table, row(4, 1e-4, speed)), 4)
-    assert [v / speed for v in after] == pytest.approx([0.0, 0.0, 0.0, 1.0], abs=1e-3)
-
-
-def test_what_a_gap_does_is_gradual() -> None:
-    third = [velocities(simulate(SMOOTH, row(3, gap, 1.0)), 3)[0] for gap in (0.0, 1e-5, 2e-5, 5e-5, 1e-4)]
-    assert third == sorted(third)
-    assert third[0] == pytest.approx(-0.0709, abs=1e-3)
-    assert all(b - a < 0.03 for a, b in pairwise(third))
-
-
-@pytest.mark.parametrize("restitution", [0.5, 0.8, 0.95, 1.0])
-@pytest.mark.parametrize("cut", [0.0, 30.0, 60.0])
-def test_a_lone_pair_comes_out_as_by_its_law(restitution: float, cut: float) -> None:
-    physics = TABLE.with_knobs({"ball.restitution": restitution}).physics
-    angle = math.radians(cut)
-
-    def pair() -> tuple[Body, Body]:
-        cue = Ball("cue", 0.0, 0.0, vx=2.0, wy=20.0, wz=15.0)
-        one = Ball("1", 2.0 * RADIUS * math.cos(angle), 2.0 * RADIUS * math.sin(angle))
-        return Body(cue, 0, RADIUS, 0.17), Body(one, 1, RADIUS, 0.17)
-
-    (a, b), (c, d) = pair(), pair()
-    cluster.solve([(a, b, 0.0)], 2.0 * math.cos(angle), physics)
-    Contacts(physics).ball_law(c, d, physics)
-    for sprung, struck in ((a, c), (b, d)):
-        assert (sprung.vx, sprung.vy) == pytest.approx((struck.vx, struck.vy), abs=0.012)
-
-
-def test_a_ball_frozen_to_a_cushion_is_driven_into_it_and_comes_back() -> None:
-    reach = TABLE.reach(RADIUS)
-    balls = [Ball("cue", 1.0, 0.4, vy=-2.0), Ball("1", 1.0, reach)]
-    rollout = simulate(TABLE, Layout(balls))
-    kinds = [event.kind for event in rollout.events[:5] if event.t < 0.2]
-    assert kinds[:3] == ["sliding_rolling", "ball_ball", "ball_cushion"] or kinds[:2] == ["ball_ball", "ball_cushion"]
-    assert rollout.layout()["cue"].y > 0.1
-    assert_sound(TABLE, rollout)
-
-
-def test_a_ball_struck_along_the_cushion_it_is_frozen_to_stays_on_it() -> None:
-    low = TABLE.reach(RADIUS)
-    rollout = simulate(TABLE, Layout([Ball("cue", 0.7, low)]), Shot(angle=0.0, speed=0.6))
-    end = rollout.layout()["cue"]
-    assert end.x > 1.0
-    assert end.y == pytest.approx(low, abs=1e-6)
-
-
-def test_three_balls_squeezed_against_a_rail() -> None:
-    low = TABLE.reach(RADIUS)
-    up = low + 2.0 * RADIUS * math.sqrt(0.75)
-    balls = [
-        Ball("1", 1.0 - RADIUS, low),
-        Ball("2", 1.0 + RADIUS, low),
-        Ball("3", 1.0, up),
-        Ball("cue", 1.0, 0.5, vy=-3.0),
-    ]
-    rollout = simulate(TABLE, Layout(balls))
-    assert_sound(TABLE, rollout)
-    assert len(rollout.events) < 200
-    end = rollout.at(first(rollout, "cluster").t + 0.1)
-    assert end["1"].x - 1.0 == pytest.approx(1.0 - end["2"].x, abs=1e-6)
-
-
-def test_a_ball_wedged_in_the_jaws() -> None:
-    """A ball as wide as a side pocket's mouth is driven between the jaws."""
-    table = TABLE.with_knobs({"side.mouth": 0.07, "side.drop_radius": 0.06})
-    wide = Ball("1", 1.27, 0.2, vy=-1.5, radius=0.0345)
-    rollout = simulate(table, Layout([wide]))
-    assert len(rollout.events) < 300
-    assert not rollout.truncated
-    assert math.isfinite(rollout.layout()["1"].y)
-
-
-def test_frozen_balls_of_unequal_size() -> None:
-    a, b = Ball("1", 1.0, 0.6), Ball("2", 1.0 + 2.0 * math.sqrt(RADIUS * 0.024), 0.6, radius=0.024, mass=0.1)
-    cue = Ball("cue", 0.7, 0.6, vx=2.0)
-    rollout = simulate(TABLE, Layout([cue, a, b]))
-    assert first(rollout, "cluster").balls == ("1", "2", "cue")
-    assert_sound(TABLE, rollout)
-
-
-def test_a_ball_follows_another_into_the_pocket() -> None:
-    pocket = next(one for one in TABLE.geometry.pockets if one.name == "bottom-left")
-    size = math.hypot(0.3 - pocket.x, 0.3 - pocket.y)
-    ux, uy = (pocket.x - 0.3) / size, (pocket.y - 0.3) / size
-    balls = [Ball("1", 0.3, 0.3), Ball("2", 0.3 - 2.2 * RADIUS * ux, 0.3 - 2.2 * RADIUS * uy)]
-    moving = [ball._replace(vx=ux, vy=uy, wx=-uy / RADIUS, wy=ux / RADIUS) for ball in balls]
-    rollout = simulate(TABLE, Layout(moving))
-    assert [event.balls for event in rollout.events if event.kind == "ball_pocket"] == [("1",), ("2",)]
-
-
-def test_a_fast_ball_at_a_bad_angle_is_refused() -> None:
-    shot = Shot(angle=-20.0, speed=6.0)
-    layout = Layout([Ball("cue", 1.05, 0.125)])
-    rollout = simulate(TABLE, layout, shot)
-    jaws = [event for event in rollout.events if event.where == "bottom-side jaw"]
-    assert jaws
-    assert rollout.layout()["cue"].phase != "pocketed" or rollout.events[-1].where != "bottom-side"
-
-
-def test_a_slow_ball_hangs_on_the_shelf() -> None:
-    """It rolls into the mouth of a corner pocket and stops before the slate ends."""
-    pocket = next(one for one in TABLE.geometry.pockets if one.name == "top-right")
-    size = math.hypot(2.2 - pocket.x, 0.93 - pocket.y)
-    way = size - pocket.radius - 0.01
-    speed = math.sqrt(2.0 * 0.01 * 9.81 * way)
-    ux, uy = (pocket.x - 2.2) / size, (pocket.y - 0.93) / size
-    ball = Ball("1", 2.2, 0.93, speed * ux, speed * uy, -speed * uy / RADIUS, speed * ux / RADIUS)
-    rollout = simulate(TABLE, Layout([ball]))
-    assert first(rollout, "rolling_resting").before["1"].phase == ROLLING
-    end = rollout.layout()["1"]
-    assert end.phase == "resting"
-    assert math.hypot(end.x - pocket.x, end.y - pocket.y) == pytest.approx(pocket.radius + 0.01, abs=1e-6)
-    assert TABLE.knobs.table.length - end.x < TABLE.reach(RADIUS)
+        assert simulate(TABLE, Layout(balls), shot).digest() == expected
