@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from . import library
+from . import catalogue
 from .errors import InputError, suggest
 from .files import line_of, read_toml, to_toml, write_text
 from .furnish import SECTIONS, furnish
@@ -62,23 +62,23 @@ def _located(error: InputError, overrides: Mapping[str, Any]) -> InputError:
 
 def presets() -> list[str]:
     """The names of all presets, the shipped ones first, then the user's own."""
-    return library.shipped(library.TABLES) + library.own(library.TABLES)
+    return catalogue.shipped(catalogue.TABLES) + catalogue.own(catalogue.TABLES)
 
 
 def conditions() -> list[str]:
     """The names of all conditions, the shipped ones first, then the user's own."""
-    return library.shipped(library.CONDITIONS) + library.own(library.CONDITIONS)
+    return catalogue.shipped(catalogue.CONDITIONS) + catalogue.own(catalogue.CONDITIONS)
 
 
 def preset_path(name: str) -> Path:
     """The file behind a preset's name or path; raises InputError for an unknown name."""
-    return library.find(library.TABLES, name)
+    return catalogue.find(catalogue.TABLES, name)
 
 
 def preset_files(table: Table) -> list[Path]:
     """The files that a table was read from: its preset, the bases, the conditions."""
     bases = [preset_path(source) for source, _ in _chain(table.source)]
-    return bases + [library.find(library.CONDITIONS, name) for name in table.conditions]
+    return bases + [catalogue.find(catalogue.CONDITIONS, name) for name in table.conditions]
 
 
 def read_preset(name: str, conditions: Sequence[str] = ()) -> Preset:
@@ -110,7 +110,7 @@ def read_preset(name: str, conditions: Sequence[str] = ()) -> Preset:
 
 def condition_title(name: str) -> str:
     """The title of conditions; raises InputError."""
-    data = read_toml(library.find(library.CONDITIONS, name))
+    data = read_toml(catalogue.find(catalogue.CONDITIONS, name))
     return str(data.get("name", name))
 
 
@@ -126,7 +126,7 @@ def save_preset(name: str, base: str, overrides: Mapping[str, float | str], titl
     Returns the file. Raises InputError for a name that is not a plain file name or is a shipped one,
     and for what no table can be built of; nothing is written then.
     """
-    path = library.own_path(library.TABLES, name)
+    path = catalogue.own_path(catalogue.TABLES, name)
     if not title.isprintable():
         raise InputError("save", "title", title, "allowed is a text of printable characters")
     load_table(base, overrides)
@@ -191,7 +191,7 @@ def _condition(name: Any) -> dict[str, Any]:
     """The knobs of conditions, dotted."""
     if not isinstance(name, str):
         raise InputError("conditions", "conditions", name, "allowed is a name")
-    data = read_toml(library.find(library.CONDITIONS, name))
+    data = read_toml(catalogue.find(catalogue.CONDITIONS, name))
     _check(data, name, ("name", *_CONDITIONS), ("name",))
     return _dotted({key: value for key, value in data.items() if key != "name"})
 

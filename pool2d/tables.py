@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from . import library
+from . import catalogue
 from .errors import InputError
 from .files import to_text, write_text
 from .knobs import Knob, walk
@@ -17,7 +17,7 @@ from .table import Knobs, Table
 
 def tell_all() -> int:
     """Print the presets and the conditions with their titles; a broken one with what is wrong."""
-    yours = set(library.own(library.TABLES)) | set(library.own(library.CONDITIONS))
+    yours = set(catalogue.own(catalogue.TABLES)) | set(catalogue.own(catalogue.CONDITIONS))
     for names, title in ((presets(), _title), (conditions(), condition_title)):
         print("Tables:" if title is _title else "Conditions, for --conditions:")
         for name in names:
@@ -26,7 +26,7 @@ def tell_all() -> int:
                 print(f"  {name:<20} {title(name)}{mark}")
             except InputError as error:
                 print(f"  {name:<20} {error}{mark}")
-    print(f"Your own are kept in {library.data_folder()}")
+    print(f"Your own are kept in {catalogue.data_folder()}")
     return 0
 
 

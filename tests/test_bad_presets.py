@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from pool2d import InputError, load_table
+from pool2d.catalogue import TABLES, find, shipped
 from pool2d.cli import main
-from pool2d.library import TABLES, find, shipped
 
 SQUARE = "[[outline]]\nx = 0\ny = 0\n[[outline]]\nx = 1\ny = 0\n[[outline]]\nx = 1\ny = 1\n"
 

@@ -9,7 +9,7 @@ import pytest
 
 from benchmarks.escape import escapes
 from pool2d import InputError, Table, load_table
-from pool2d.library import TABLES, shipped
+from pool2d.catalogue import TABLES, shipped
 from pool2d.outline import Corner
 from pool2d.racks import Furniture
 

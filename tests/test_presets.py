@@ -8,8 +8,8 @@ import tomllib
 import pytest
 
 from pool2d import Ball, Layout, Table, load_table, simulate
+from pool2d.catalogue import CONDITIONS, TABLES, find, shipped
 from pool2d.knobs import walk
-from pool2d.library import CONDITIONS, TABLES, find, shipped
 from pool2d.physics.detect import Jaw, Pocket, Rail
 from pool2d.preset import conditions
 

@@ -8,7 +8,7 @@ import pygame
 import pytest
 
 from pool2d import Ball, load_table
-from pool2d.library import TABLES, shipped
+from pool2d.catalogue import TABLES, shipped
 from pool2d.outline import sides
 from pool2d.racks import Look
 from pool2d.ui import ball_art, table_art, theme
