@@ -26,8 +26,11 @@ class Heard(NamedTuple):
 
 
 def heard(rollout: Rollout, t0: float, t1: float) -> list[Heard]:
-    """The sounds of the events in (t0, t1]: none where time stands, runs backward or jumps."""
-    if not t0 < t1 <= t0 + _JUMP:
+    """The sounds of the events in (t0, t1]: none where time stands, runs backward or jumps.
+
+    The stroke is at 0, so a `t0` below 0 hears it.
+    """
+    if not t0 < t1 <= max(t0, 0.0) + _JUMP:
         return []
     events = rollout.events
     first, last = (bisect_right(events, t, key=lambda event: event.t) for t in (t0, t1))

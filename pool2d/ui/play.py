@@ -185,8 +185,7 @@ class Play:
             self.message = str(error)
             return
         self._show(rollout)
-        missed = any(event.where == "miscue" for event in rollout.events)
-        self.message = "Miscue: the tip slipped off the ball." if missed else ""
+        self.message = "Miscue: the tip slipped off the ball." if _missed(rollout) else ""
 
     def _replay(self) -> None:
         if self.session.rollout is None:
@@ -290,7 +289,7 @@ class Play:
 
     def _come_to_rest(self, rollout: Rollout) -> None:
         self.rollout = None
-        if rollout.events[0].where == "miscue":
+        if _missed(rollout):
             self.sounds.chalk()
         after = rollout.layout()
         fallen = [ball.id for ball in rollout.start.on_table() if after[ball.id].phase == POCKETED]
@@ -346,3 +345,8 @@ class Play:
         if apex < _HOP:
             return ""
         return f"So steep and hard, a real ball would hop {1000.0 * apex:.0f} mm. Here it stays on the cloth."
+
+
+def _missed(rollout: Rollout) -> bool:
+    """Whether the tip slipped off the ball."""
+    return any(event.where == "miscue" for event in rollout.events)

@@ -24,8 +24,8 @@ from .heard import Heard, heard
 
 # How loud a kind is at the most, and the speed at which it is, m/s.
 _LOUDNESS = {
-    "ball": (0.60, 8.0), "cue": (0.45, 6.0), "cushion": (0.50, 4.0), "drop": (0.45, 3.0), "back": (0.16, 1.0),
-    "miscue": (0.40, 2.0), "chalk": (0.16, 1.0), "click": (0.12, 1.0),
+    "ball": (0.80, 8.0), "cue": (0.32, 6.0), "cushion": (0.45, 4.0), "drop": (0.30, 3.0), "back": (0.08, 1.0),
+    "miscue": (0.22, 2.0), "chalk": (0.08, 1.0), "click": (0.06, 1.0),
 }  # fmt: skip
 # The pressure of a click goes about with the speed; an ear that shall hear the soft ones too needs less.
 _POWER = 0.7
@@ -145,7 +145,7 @@ def _open() -> bool:
         with _quiet():
             pygame.mixer.init(synth.RATE, -16, 2, _BUFFER, allowedchanges=0)
         pygame.mixer.set_num_channels(_CHANNELS)
-    except (pygame.error, NotImplementedError):
+    except (pygame.error, NotImplementedError, OSError):
         # The second is a pygame that was built without a mixer.
         return False
     return True

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -19,8 +19,11 @@ from ..physics.cluster import RADIUS, duration
 from ..physics.motion import Body
 from ..physics.values import Ball
 
+if TYPE_CHECKING:
+    # numpy loads its random numbers when they are first asked for, which is after the first frame.
+    from numpy.random import Generator as Noise
+
 Wave = npt.NDArray[np.float64]
-Noise = np.random.Generator
 
 # Samples per second.
 RATE = 48_000
@@ -30,12 +33,8 @@ _BALL = Body(Ball("", 0.0, 0.0), 0, RADIUS, 0.17)
 
 # Partials: frequency in Hz, time in which it fades to 1/e in s, level.
 _SLATE = (
-    (1150.0, 0.006, 0.02),
-    (2350.0, 0.005, 0.06),
-    (3900.0, 0.004, 0.09),
-    (6100.0, 0.003, 0.10),
-    (8300.0, 0.002, 0.08),
-)
+    (1150.0, 0.006, 0.05), (2350.0, 0.005, 0.15), (3900.0, 0.004, 0.25), (6100.0, 0.003, 0.32), (8300.0, 0.002, 0.30),
+)  # fmt: skip
 _SHAFT = (
     (310.0, 0.018, 0.18), (720.0, 0.014, 0.50), (1240.0, 0.011, 1.0),
     (2080.0, 0.007, 0.90), (3350.0, 0.004, 0.70), (5200.0, 0.002, 0.50),
@@ -69,7 +68,7 @@ def ball(speed: float, pitch: float, noise: Noise) -> Wave:
     """Two balls that meet at `speed`, the pulse being as long as Hertz's contact."""
     pulse = _pulse(duration(_BALL, _BALL, speed) / pitch)
     room = _dying_noise(0.07, 0.012, noise, 900.0, 9000.0)
-    return _struck(pulse, _sum(_sphere(pitch), _ring(0.07, _SLATE, pitch, noise), 0.015 * room))
+    return _struck(pulse, _sum(_sphere(pitch), _ring(0.07, _SLATE, pitch, noise), 0.05 * room))
 
 
 def cue(speed: float, pitch: float, noise: Noise) -> Wave:
@@ -186,12 +185,12 @@ def _sphere(pitch: float) -> Wave:
 
 
 def _ring(seconds: float, partials: Sequence[tuple[float, float, float]], pitch: float, noise: Noise) -> Wave:
-    """Damped partials; no two knocks hit the same spot, so each partial's level differs by a little."""
+    """Damped partials; no two knocks hit the same spot, so each partial's pitch and level differ by a little."""
     time = _time(seconds)
     wave = np.zeros(time.size)
     for frequency, fade, level in partials:
-        level *= float(noise.uniform(0.8, 1.2))
-        wave += level * np.exp(-time / fade) * np.sin(math.tau * frequency * pitch * time)
+        turn = math.tau * frequency * pitch * float(noise.uniform(0.97, 1.03))
+        wave += level * float(noise.uniform(0.8, 1.2)) * np.exp(-time / fade) * np.sin(turn * time)
     return wave
 
 

@@ -226,6 +226,17 @@ def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand) -> None:
     assert len(playing()) == 1
 
 
+def test_after_a_miscue_the_tip_is_chalked(hand: Hand) -> None:
+    while hand.app.sounds.prepare():
+        pass
+    hand.play.hands.nudge_tip(0.9, 0.0)
+    hand.key(pygame.K_SPACE)
+    assert hand.play.message.startswith("Miscue")
+    pygame.mixer.stop()
+    hand.key(pygame.K_SPACE)
+    assert len(playing()) == 1
+
+
 def test_skipping_to_the_end_is_silent(hand: Hand) -> None:
     while hand.app.sounds.prepare():
         pass
