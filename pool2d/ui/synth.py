@@ -2,8 +2,9 @@
 
 Each is made once, for a few speeds and in a few variants that differ as one real knock differs from the
 next. A contact is a pulse of force; the faster the bodies meet, the shorter it is and the brighter what
-it sets ringing. Balls hardly ring themselves, since their lowest mode lies near 17 kHz: their click is the
-air that the sudden start and stop of a sphere pushes (Koss and Alfredson 1973), and the table's answer.
+it sets ringing. Balls hardly ring themselves, since their lowest mode lies about where hearing ends: their
+click is the air that the sudden start and stop of a sphere pushes (Koss and Alfredson 1973), and the table's
+answer.
 """
 
 from __future__ import annotations
@@ -72,7 +73,7 @@ def ball(speed: float, pitch: float, noise: Noise) -> Wave:
 
 
 def cue(speed: float, pitch: float, noise: Noise) -> Wave:
-    """A leather tip meets a ball: a millisecond or more, so the shaft is heard more than the ball."""
+    """A leather tip meets a ball for about a millisecond, so the shaft is heard more than the ball."""
     pulse = _pulse(0.9e-3 / pitch * math.pow(speed, -0.2))
     room = _dying_noise(0.10, 0.010, noise, 300.0, 4000.0)
     return _struck(pulse, _sum(_ring(0.12, _SHAFT, pitch, noise), 2.0 * _sphere(pitch), 0.15 * room))
@@ -88,8 +89,8 @@ def cushion(speed: float, pitch: float, noise: Noise) -> Wave:
 
 def drop(speed: float, pitch: float, noise: Noise) -> Wave:
     """A ball meets the leather at a pocket's back, falls into the box below, and bounces once."""
-    back = _struck(_pulse(2.5e-3 / pitch * math.pow(speed, -0.2)), _ring(0.20, _LEATHER, pitch, noise))
-    parts = [_unit(back)]
+    leather = _struck(_pulse(2.5e-3 / pitch * math.pow(speed, -0.2)), _ring(0.20, _LEATHER, pitch, noise))
+    parts = [_unit(leather)]
     # It falls a hand's breadth, and bounces to a small part of that.
     fall = 0.085 * float(noise.uniform(0.9, 1.15))
     for at, level in ((fall, 0.8), (fall + 0.075 * float(noise.uniform(0.9, 1.2)), 0.28)):
