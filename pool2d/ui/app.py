@@ -15,6 +15,7 @@ from ..table import Table
 from .keys import action_of
 from .play import Play
 from .scene import Scene
+from .sound import Sounds
 
 SIZE = (1280, 720)
 _FPS = 60
@@ -34,7 +35,8 @@ class App:
         pygame.display.set_caption(f"pool2d \N{EN DASH} {table.title}")
         self.size = size
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
-        self.play = Play(Session(table, seed=seed))
+        self.sounds = Sounds()
+        self.play = Play(Session(table, seed=seed), self.sounds)
         self.scene: Scene | None = self.play
         self._files = Watched(table)
 
@@ -63,9 +65,13 @@ class App:
             # A long pause, such as a window being dragged, is not made up for.
             dt = min(clock.tick(_FPS) / 1000.0, 0.1)
             count += 1
+            if count > 1:
+                # Between frames, and after the first: to open a device may take a moment.
+                self.sounds.prepare()
 
     def close(self) -> None:
         pygame.display.quit()
+        self.sounds.close()
 
     def _window(self, event: pygame.event.Event) -> bool:
         """Whether an event was about the window itself, which is then done."""

@@ -39,6 +39,7 @@ BINDINGS = (
     Binding("rack", (pygame.K_n,), "N", "new rack"),
     Binding("tune", (pygame.K_t,), "T", "tune the table: every knob, and what it does to the last shot"),
     Binding("geometry", (pygame.K_b,), "B", "show the geometry that the physics sees"),
+    Binding("mute", (pygame.K_m,), "M", "mute, or sound again"),
     Binding("fullscreen", (pygame.K_f, pygame.K_F11), "F, F11", "full screen"),
     Binding("screenshot", (pygame.K_F12,), "F12", "save a picture of the window"),
     Binding("help", (pygame.K_F1,), "F1", "this page"),

@@ -21,6 +21,7 @@ from .hands import Hands
 from .help import Help
 from .keys import action_of, fine_step
 from .scene import Scene
+from .sound import Sounds
 from .stage import Stage
 from .tuning import Tuning
 
@@ -40,8 +41,9 @@ class Play:
     `warning` stays until what it warns of is mended, `message` until the next.
     """
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
         self.session = session
+        self.sounds = sounds or Sounds()
         self.stage = Stage(session.table)
         self.hands = Hands()
         self.level = guide.GHOST
@@ -73,6 +75,7 @@ class Play:
             "rack": self._rack,
             "tune": self._tune,
             "geometry": self._show_geometry,
+            "mute": self._mute,
             "cancel": self._cancel,
         }
 
@@ -177,20 +180,24 @@ class Play:
     def _strike(self, speed: float) -> None:
         self.hands.put_down()
         try:
-            self.rollout = self.session.play(self.hands.aim.shot(self.session.cue.id, speed))
+            rollout = self.session.play(self.hands.aim.shot(self.session.cue.id, speed))
         except (InputError, BudgetError) as error:
             self.message = str(error)
             return
-        self.time = 0.0
-        missed = any(event.where == "miscue" for event in self.rollout.events)
-        self.message = "Miscue: the tip slipped off the ball." if missed else ""
+        self._show(rollout)
+        self.message = "Miscue: the tip slipped off the ball." if _missed(rollout) else ""
 
     def _replay(self) -> None:
         if self.session.rollout is None:
             self.message = "There is no shot to see again."
         elif not self.rollout:
-            self.rollout, self.time = self.session.rollout, 0.0
+            self._show(self.session.rollout)
             self.message = "The last shot again."
+
+    def _show(self, rollout: Rollout) -> None:
+        """Run a shot from its beginning, which is heard at once."""
+        self.rollout, self.time = rollout, 0.0
+        self.sounds.play_events(self.session.table, rollout, -1.0, 0.0)
 
     def _tune(self) -> None:
         if self.tuning is None:
@@ -221,6 +228,11 @@ class Play:
 
     def _show_geometry(self) -> None:
         self.geometry = not self.geometry
+
+    def _mute(self) -> None:
+        self.sounds.toggle_mute()
+        self.sounds.click()
+        self.message = "Sound is off. M turns it on again." if self.sounds.muted else "Sound is on."
 
     def _undo(self) -> None:
         self._drop()
@@ -269,13 +281,16 @@ class Play:
             self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
             self.tuning.update(dt)
         if self.rollout:
-            self.time += dt * (_FAST if self.fast else 1.0)
+            before, self.time = self.time, self.time + dt * (_FAST if self.fast else 1.0)
+            self.sounds.play_events(self.session.table, self.rollout, before, self.time)
             if self.time >= self.rollout.duration:
                 self._come_to_rest(self.rollout)
         return self
 
     def _come_to_rest(self, rollout: Rollout) -> None:
         self.rollout = None
+        if _missed(rollout):
+            self.sounds.chalk()
         after = rollout.layout()
         fallen = [ball.id for ball in rollout.start.on_table() if after[ball.id].phase == POCKETED]
         if self.session.in_hand:
@@ -330,3 +345,8 @@ class Play:
         if apex < _HOP:
             return ""
         return f"So steep and hard, a real ball would hop {1000.0 * apex:.0f} mm. Here it stays on the cloth."
+
+
+def _missed(rollout: Rollout) -> bool:
+    """Whether the tip slipped off the ball."""
+    return any(event.where == "miscue" for event in rollout.events)
