@@ -38,14 +38,11 @@ def heard(rollout: Rollout, t0: float, t1: float) -> list[Heard]:
 
 
 def _sounds(event: Event) -> list[Heard]:
-    if event.pairs:
-        return _balls(event)
+    if event.pairs or event.rails:
+        return [*_balls(event), *_cushions(event)]
     if event.kind == "cue_ball":
         ball = event.after[event.balls[0]]
         return [Heard(event.where or "cue", math.hypot(ball.vx, ball.vy), ball.x)]
-    if event.kind == "ball_cushion":
-        ball = event.before[event.balls[0]]
-        return [Heard("cushion", _blow(ball, event.after[ball.id]), ball.x)]
     if event.kind == "ball_pocket":
         ball = event.before[event.balls[0]]
         return [Heard("drop", math.hypot(ball.vx, ball.vy, _FALL), ball.x), Heard("back", 1.0, ball.x)]
@@ -66,6 +63,13 @@ def _balls(event: Event) -> list[Heard]:
         sounds.append(Heard("ball", max(approach, 0.5 * change, 0.0), 0.5 * (a.x + b.x)))
     sounds.sort(key=lambda sound: -sound.speed)
     return sounds[:_PAIRS]
+
+
+def _cushions(event: Event) -> list[Heard]:
+    """A thud for each ball that met a cushion, be it two at once."""
+    before, after = event.before, event.after
+    met = dict.fromkeys(name for name, _ in event.rails)
+    return [Heard("cushion", _blow(before[name], after[name]), before[name].x) for name in met]
 
 
 def _approach(a: Ball, b: Ball) -> float:

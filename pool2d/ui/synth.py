@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ..physics.cluster import RADIUS, duration
 from ..physics.motion import Body
+from ..physics.springs import RADIUS, duration
 from ..physics.values import Ball
 
 if TYPE_CHECKING:

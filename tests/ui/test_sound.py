@@ -210,12 +210,20 @@ def test_the_window_opens_the_device_after_its_first_frame_and_closes_it(hand: H
     assert pygame.mixer.get_init() is None
 
 
-def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand) -> None:
+def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    played: list[Heard] = []
+    play = hand.app.sounds.play
+
+    def spy(sounds: list[Heard], length: float = 1.0) -> None:
+        played.extend(sounds)
+        play(sounds, length)
+
+    monkeypatch.setattr(hand.app.sounds, "play", spy)
     while hand.app.sounds.prepare():
         pass
     hand.point(1.905, 0.635)
     hand.key(pygame.K_SPACE)
-    assert len(playing()) == 1
+    assert [sound.kind for sound in played] == ["cue"]
     hand.key(pygame.K_m)
     assert hand.play.message.startswith("Sound is off")
     assert not playing()
