@@ -77,14 +77,6 @@ class Hand:
         self.play.session.position = Position(layout, in_hand, 0)
 
 
-@pytest.fixture(scope="session", autouse=True)
-def cache_of_our_own(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Pictures drawn once serve every test, and none are left behind or found from before."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("POOL2D_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
-
-
 @pytest.fixture
 def hand() -> Iterator[Hand]:
     app = App(load_table("pool-9ft"), seed=3)
