@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 
-from ..outline import Corner, Point, edges
+from ..outline import Corner, Point, edges, turn_at
 from ..table import Table
 from .outset import CUSHION, grown, outward
 from .paint import Array, Layer, Patch, box_of, distance, ramp
@@ -20,6 +21,8 @@ LIGHT = (-0.5, 0.866)
 _SHADOW = 0.055
 # Further than any of a cushion is from its front, m.
 _DEEP = 0.06
+# An angle beyond which a corner turns outward, radians.
+_BEND = math.pi + 1e-6
 _CHALK = (222.0, 236.0, 228.0)
 
 
@@ -90,19 +93,23 @@ def _marks(patch: Patch, table: Table, cover: Array) -> None:
 
 @dataclass(frozen=True, slots=True)
 class _Cushion:
-    """One cushion: its front from end to end, the line that closes it behind, and the way out of the table."""
+    """One cushion: its front from end to end, the line that closes it behind, and the way out of the table.
+
+    `bends` are the points where it meets another round an outward turn, with the way from there to its own side.
+    """
 
     front: list[Point]
     back: list[Point]
     corner: Corner
     out: Point
+    bends: list[tuple[Point, Point]]
 
 
 def cushions(table: Table) -> list[Layer]:
     """Every cushion's shadow on the cloth, and then the cushions."""
     color = rgb(table.furniture.finish.cloth)
     over = lamp(table)
-    shapes = _shapes(table.geometry.corners, table)
+    shapes = _shapes(table)
 
     def shadow(shape: _Cushion, patch: Patch) -> None:
         part = patch.cut(box_of(shape.front, _SHADOW))
@@ -111,18 +118,18 @@ def cushions(table: Table) -> list[Layer]:
             lean = 1.0 + 0.35 * (shape.out[0] * LIGHT[0] + shape.out[1] * LIGHT[1])
             off = distance(shape.front, part, _SHADOW)
             fade = ramp(off, _SHADOW, 0.0)
+            for point, way in shape.bends:
+                # Two shadows go over into each other and do not add up.
+                fade = fade * ramp(part.along(point, way), -0.015, 0.015)
             part.shade(1.0 - 0.62 * fade * np.exp(off * (-1.0 / (0.0125 * lean))))
 
     def body(shape: _Cushion, patch: Patch) -> None:
         part = patch.cut(box_of([*shape.front, *shape.back], 0.004))
         if part is None:
             return
-        polygon = [*shape.front, *shape.back[1:-1]]
         depth = distance(shape.front, part, _DEEP)
-        edge = np.minimum(depth, distance(shape.back, part, _DEEP))
-        within = part.inside(polygon, 1) > 0.5
         light = _profile(part, shape, depth) * over.at(part, 0.62) * (0.985 + 0.03 * part.speckle(3))
-        cover = part.cover(np.where(within, -edge, edge))
+        cover = part.inside([*shape.front, *shape.back[1:-1]], 4)
         part.paint([light * tone + np.maximum(light - 1.0, 0.0) * 34.0 for tone in color], cover)
 
     return [*(partial(shadow, shape) for shape in shapes), *(partial(body, shape) for shape in shapes)]
@@ -144,18 +151,41 @@ def _profile(patch: Patch, shape: _Cushion, depth: Array) -> Array:
     return np.asarray(light * (1.0 - 0.62 * crease), np.float32)
 
 
-def _shapes(corners: Sequence[Corner], table: Table) -> list[_Cushion]:
+def _shapes(table: Table) -> list[_Cushion]:
     """The cushions, mitred where one meets another without a pocket."""
+    corners, cushions = table.geometry.corners, table.geometry.cushions
     backs = grown(corners, CUSHION)
     found = []
     for i, (a, b) in enumerate(edges(corners)):
-        front = list(table.geometry.cushions[a.cushion])
-        normal = outward(a, b)
-        front = _cut(front, a, normal) if a.pocket else front
-        front = _cut(front[::-1], a, normal)[::-1] if b.pocket else front
-        ends = ([] if b.pocket else [backs[(i + 1) % len(backs)]]) + ([] if a.pocket else [backs[i]])
-        found.append(_Cushion(front, [front[-1], *ends, front[0]], a, normal))
+        j = (i + 1) % len(corners)
+        front, out = list(cushions[a.cushion]), outward(a, b)
+        way = (-out[1], out[0])
+        bends = []
+        # The rounding of an outward turn belongs half to either cushion.
+        if not a.pocket and turn_at(corners, i) > _BEND:
+            front = front[_middle(front, a) :]
+            bends.append((front[0], _unit(way, outward(corners[i - 1], a), 1.0)))
+        if not b.pocket and turn_at(corners, j) > _BEND:
+            after = cushions[b.cushion]
+            front += after[1 : _middle(after, b) + 1]
+            bends.append((front[-1], _unit(way, outward(b, corners[(j + 1) % len(corners)]), -1.0)))
+        front = _cut(front, a, out) if a.pocket else front
+        front = _cut(front[::-1], a, out)[::-1] if b.pocket else front
+        ends = ([] if b.pocket else [backs[j]]) + ([] if a.pocket else [backs[i]])
+        found.append(_Cushion(front, [front[-1], *ends, front[0]], a, out, bends))
     return found
+
+
+def _middle(front: Sequence[Point], corner: Corner) -> int:
+    """Which point of a front lies in the middle of the rounding before a corner."""
+    return min(range(len(front)), key=lambda i: math.hypot(front[i][0] - corner.x, front[i][1] - corner.y))
+
+
+def _unit(way: Point, other: Point, hand: float) -> Point:
+    """Across the halving line of an outward turn: along a cushion, and away from the other one's back."""
+    x, y = hand * way[0] - other[0], hand * way[1] - other[1]
+    size = math.hypot(x, y)
+    return (x / size, y / size) if size else (hand * way[0], hand * way[1])
 
 
 def _cut(front: list[Point], corner: Corner, normal: Point) -> list[Point]:

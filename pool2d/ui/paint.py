@@ -16,6 +16,9 @@ import numpy as np
 import numpy.typing as npt
 import pygame
 
+# Imported here and not at its first use, which may be in two threads at once.
+import pygame.surfarray
+
 from ..outline import Point
 from .view import View
 
