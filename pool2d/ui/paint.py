@@ -6,6 +6,7 @@ place alone, so a picture can be painted in strips, several at once, and is the 
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -36,7 +37,7 @@ _TILE: Array = _DICE.reshape(_SIDE, _SIDE)
 class Patch:
     """Some of a picture: its light as (3, rows, columns), each pixel's place in m, a row of x and a column of y.
 
-    `left` and `top` number its first pixel; `scale` is in pixels per m.
+    `left` and `top` number its first pixel in the picture, which `view` lays on the table.
     """
 
     rgb: Array
@@ -44,7 +45,12 @@ class Patch:
     y: Array
     left: int
     top: int
-    scale: float
+    view: View
+
+    @property
+    def scale(self) -> float:
+        """Pixels per m."""
+        return self.view.scale
 
     def part(self, box: Box) -> tuple[slice, slice]:
         """The rows and the columns within left, bottom, right, top, m."""
@@ -58,7 +64,7 @@ class Patch:
         if rows.start >= rows.stop or columns.start >= columns.stop:
             return None
         light, x, y = self.rgb[:, rows, columns], self.x[:, columns], self.y[rows]
-        return Patch(light, x, y, self.left + columns.start, self.top + rows.start, self.scale)
+        return Patch(light, x, y, self.left + columns.start, self.top + rows.start, self.view)
 
     def cover(self, distance: Array) -> Array:
         """How much of each pixel lies inside of an edge, given the distance beyond it, m."""
@@ -93,11 +99,14 @@ class Patch:
         """How much of each pixel a polygon covers, from `fine` by `fine` samples."""
         _, rows, columns = self.rgb.shape
         mask = pygame.Surface((columns * fine, rows * fine), depth=8)
-        x0, y0, scale = float(self.x[0, 0]), float(self.y[0, 0]), self.scale * fine
-        middle = (fine - 1) / 2.0
-        points = [((x - x0) * scale + middle, (y0 - y) * scale + middle) for x, y in polygon]
+        # Rounded on the whole picture, so as to be the same in every part of it.
+        corners = ((fine * x, fine * y) for x, y in (self.view.to_screen(x, y) for x, y in polygon))
+        middle = fine / 2.0
+        points = [
+            (math.floor(x + middle) - self.left * fine, math.floor(y + middle) - self.top * fine) for x, y in corners
+        ]
         pygame.draw.polygon(mask, 1, points)
-        found = pygame.surfarray.array2d(mask).T.reshape(rows, fine, columns, fine)
+        found = pygame.surfarray.pixels2d(mask).T.reshape(rows, fine, columns, fine)
         total = sum(found[:, i, :, j] for i in range(fine) for j in range(fine))
         return np.asarray(total, np.float32) / (fine * fine)
 
@@ -110,7 +119,7 @@ def strip(view: View, width: int, top: int, rows: int) -> Patch:
     x = (np.arange(width) - view.left) / view.scale
     y = (view.bottom - np.arange(top, top + rows)) / view.scale
     black = np.zeros((3, rows, width), np.float32)
-    return Patch(black, x.astype(np.float32)[None, :], y.astype(np.float32)[:, None], 0, top, view.scale)
+    return Patch(black, x.astype(np.float32)[None, :], y.astype(np.float32)[:, None], 0, top, view)
 
 
 def noise(u: Array, v: Array) -> Array:

@@ -129,3 +129,15 @@ def test_render_refuses_in_one_line(
     error = capsys.readouterr().err
     assert words in error
     assert error.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["pool-9ft", "l-shape"])
+def test_a_picture_is_the_same_however_it_is_cut(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    table, size = load_table(name), (320, 180)
+    view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
+    pictures = set()
+    for rows in (23, 64, 180):
+        monkeypatch.setattr(table_art, "_ROWS", rows)
+        monkeypatch.setattr(table_art, "kept", lambda *_: None)
+        pictures.add(pygame.image.tobytes(table_art.draw(table, size, view), "RGB"))
+    assert len(pictures) == 1
