@@ -119,7 +119,7 @@ def _near(
     return step[None, :], middle[None, :] + aside[:, None]
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=10)
 def _wood(scale: int, facing: int, shifts: tuple[int, ...]) -> _Skin:
     """The cue itself, lit from `facing` quarters of the way to one side."""
     along, across = _grid(scale, 0.0165)
@@ -132,7 +132,7 @@ def _wood(scale: int, facing: int, shifts: tuple[int, ...]) -> _Skin:
     return _skin(color, np.clip(0.5 + (half - np.abs(across)) * scale, 0.0, 1.0), shifts)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=4)
 def _shadow(scale: int, high: int, shifts: tuple[int, ...]) -> _Skin:
     """The cue's shadow, with a butt `high` twentieths of a metre above the cloth: softer the higher."""
     soft = 0.006 + 0.014 * min(1.0, high / 20.0)
