@@ -84,7 +84,7 @@ def _start(title: str, base: str, table: Table) -> str:
         base = Path(base).absolute().as_posix()
     lines = [
         "# A table of your own. What is not said here is as in its base: uncomment a line to change it.",
-        "# Outline, marks, balls and racks may be given too; the shipped presets show how.",
+        "# Outline, marks, finish, balls and racks may be given too; the shipped presets show how.",
         "",
         f"name = {to_text(title)}",
         f"base = {to_text(base)}",

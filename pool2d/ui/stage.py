@@ -11,7 +11,8 @@ from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import Ball, Layout, Shot
 from ..table import Table
-from . import ball_art, guide, hud, pen, table_art, theme
+from . import ball_art, guide, hud, pen, theme
+from .background import Background
 from .tuning import Tuning
 from .view import View, fit
 
@@ -23,8 +24,7 @@ class Stage:
         self.table = table
         self.screen = hud.Screen(1280, 720)
         self.view = self._fit()
-        self._background_key: Hashable = None
-        self._background = pygame.Surface((1, 1))
+        self._background = Background()
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
@@ -33,11 +33,7 @@ class Stage:
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
         self.view = self._fit(panel)
-        key = (self.view, self.screen, table)
-        if key != self._background_key:
-            self._background_key = key
-            self._background = table_art.draw(table, surface.get_size(), self.view)
-        surface.blit(self._background, (0, 0))
+        self._background.show(surface, table, self.view)
 
     def balls(self, surface: pygame.Surface, layout: Layout) -> None:
         """Draw every ball that is on the table."""

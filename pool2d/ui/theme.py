@@ -16,14 +16,8 @@ ACCENT = (214, 176, 106)
 WARNING = (232, 122, 98)
 
 CLOTH = (32, 138, 116)
-CUSHION = (22, 104, 88)
-NOSE = (70, 176, 150)
-WOOD = (104, 58, 34)
-WOOD_EDGE = (62, 34, 20)
-COLLAR = (46, 40, 38)
 HOLE = (6, 6, 7)
 SIGHT = (226, 220, 206)
-MARK = (58, 164, 140)
 
 IVORY = (244, 240, 228)
 DOT = (176, 30, 36)
@@ -46,6 +40,12 @@ BALLS = {
     7: (128, 28, 36),
     8: (24, 24, 26),
 }
+
+
+def rgb(color: str) -> tuple[int, int, int]:
+    """A colour given as "#rrggbb"."""
+    red, green, blue = bytes.fromhex(color[1:])
+    return red, green, blue
 
 
 def unit(height: int) -> int:
