@@ -84,6 +84,7 @@ def draw_whole(
     view: View,
     cue: theme.Color = theme.GUIDE_CUE,
     others: theme.Color = theme.GUIDE_BALL,
+    style: theme.Style = theme.PLAIN,
 ) -> None:
     """Draw every ball's way to its end, and where it comes to rest."""
     scale = max(1.0, view.scale / 400.0)
@@ -94,7 +95,7 @@ def draw_whole(
             if ball.phase != POCKETED:
                 radius = table.body_of(ball)[0] * view.scale
                 look = table.furniture.looks.get(ball.id)
-                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look)
+                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look, style=style)
 
 
 def _sampled(motion: Motion, start: float, end: float) -> Line:

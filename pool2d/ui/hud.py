@@ -36,6 +36,11 @@ class Screen:
         return pygame.Rect(0, 0, self.width, self.unit * 4)
 
     @property
+    def tray(self) -> pygame.Rect:
+        """Where the fallen balls lie: in the middle of the upper bar."""
+        return pygame.Rect(self.width * 5 // 16, 0, self.width * 3 // 8, self.top.height)
+
+    @property
     def bottom(self) -> pygame.Rect:
         return pygame.Rect(0, self.height - self.unit * 9, self.width, self.unit * 9)
 
