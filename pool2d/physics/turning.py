@@ -23,7 +23,7 @@ Vector = tuple[float, float, float]
 # As a ball is made: its number on top, upright.
 FACING: Quaternion = (1.0, 0.0, 0.0, 0.0)
 # The angle of one step where the axis moves, rad.
-_STEP = 0.4
+_STEP = 0.25
 # Below this sine between the spin and its rate, the axis stays as it is but for rounding.
 _STEADY = 1e-12
 

@@ -23,7 +23,7 @@ _LAMP = (-0.34, 0.46, 0.82)
 # which on a small ball is at least so much over the radius in pixels.
 _IMAGE, _HALF, _EDGE, _BLUR = (-0.62, 0.74), (0.34, 0.15), 0.10, 2.8
 # Light from all round; from the lamp; thrown back by the cloth, as parts of the paint's own.
-_AROUND, _DIRECT, _BOUNCE = 0.27, 0.73, 0.36
+_AROUND, _DIRECT, _BOUNCE = 0.28, 0.75, 0.36
 _GLEAM, _SHEEN, _RIM = 205.0, 26.0, 20.0
 _DITHER = 0.8
 

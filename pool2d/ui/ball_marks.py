@@ -49,7 +49,7 @@ SHAPES: dict[str, list[Spots]] = {
     "green": [_box(0.0, 0.0, 0.72, 0.72)],
     "maroon": [_box(-0.24, 0.0, 0.24, 0.84), _box(0.24, 0.0, 0.24, 0.84)],
     "black": [_ring(5, 0.54, 0.0, 0.42)],
-    "brown": [_ring(4, 0.54, 0.0)],
+    "brown": [_ring(4, 0.46, 0.0)],
     "pink": [_ring(24, 0.42)],
 }
 # The shape that is a ring has a hole.

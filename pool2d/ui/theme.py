@@ -67,10 +67,11 @@ STANDARD = Palette(
     yellow=(242, 190, 26), blue=(24, 62, 178), red=(206, 28, 32), purple=(92, 36, 140), orange=(236, 106, 22),
     green=(8, 108, 62), maroon=(126, 20, 32), black=(22, 22, 25), brown=(116, 64, 30), pink=(238, 140, 160),
 )  # fmt: skip
-# Told apart by how light and how blue they are, which those see who confuse red and green.
+# Found by search so that those who confuse red and green tell every two colours of a set apart, mostly by
+# how light and how blue they are.
 COLOR_BLIND = Palette(
-    yellow=(250, 226, 60), blue=(0, 66, 170), red=(190, 52, 0), purple=(150, 128, 224), orange=(240, 146, 36),
-    green=(96, 176, 176), maroon=(92, 30, 60), black=(16, 16, 18), brown=(124, 104, 76), pink=(240, 196, 214),
+    yellow=(255, 245, 14), blue=(6, 44, 191), red=(170, 0, 0), purple=(109, 127, 210), orange=(225, 136, 0),
+    green=(36, 159, 114), maroon=(70, 0, 80), black=(4, 10, 5), brown=(88, 50, 85), pink=(222, 120, 234),
 )  # fmt: skip
 # As bright and as full as the screen allows.
 HIGH_CONTRAST = Palette(
