@@ -15,8 +15,8 @@ Picture = npt.NDArray[np.float32]
 Indices = npt.NDArray[np.intp]
 Spots = list[tuple[float, float]]
 
-# A picture reaches this far from its middle, in radii of the ball.
-REACH = 0.6
+# A picture reaches this far from its middle, in radii of the ball, and its ink as far.
+REACH, INKED = 0.6, 0.54
 # The box that digits fill, in radii: their height, and the greatest width.
 _TALL, _WIDE = 0.66, 0.70
 # Pictures are first drawn this large, in pixels.
@@ -78,8 +78,10 @@ def sample(pictures: Picture, which: Indices, right: Picture, up: Picture) -> Pi
     column, row = ((part / REACH + 1.0) * (count / 2.0) - 0.5 for part in (right, -up))
     left, top = (np.clip(part, 0, count - 2).astype(np.intp) for part in (column, row))
     across, down = np.clip(column - left, 0.0, 1.0), np.clip(row - top, 0.0, 1.0)
-    above = pictures[which, top, left] * (1.0 - across) + pictures[which, top, left + 1] * across
-    below = pictures[which, top + 1, left] * (1.0 - across) + pictures[which, top + 1, left + 1] * across
+    flat, at = pictures.reshape(-1), (which * count + top) * count + left
+    above = flat[at] * (1.0 - across) + flat[at + 1] * across
+    at += count
+    below = flat[at] * (1.0 - across) + flat[at + 1] * across
     ink = above * (1.0 - down) + below * down
     # Mixing blurs: what is half ink stays, more and less part.
     sharp: Picture = np.clip((ink - 0.5) * 1.35 + 0.5, 0.0, 1.0).astype(np.float32)

@@ -95,12 +95,12 @@ def _print_all(sprites: Sequence[Sprite], places: Floats, soft: Floats, color: F
 
 
 def _ink(color: Floats, gloss: Floats, printed: Floats, inks: Sequence[tuple[int, ...]]) -> None:
-    """Lay the balls' inks on their colours where something is printed: on a small part of all points."""
-    ball, point = np.nonzero(printed)
-    part = printed[ball, point][:, None]
-    below = color[ball, :, point]
-    color[ball, :, point] = below + (np.array(inks, dtype=np.float32)[ball] - below) * part
-    gloss[ball, :, point] *= 1.0 - _MATT * part
+    """Lay the balls' inks on their colours as far as they are printed; print is matt."""
+    part = printed[:, None]
+    over = np.array(inks, dtype=np.float32)[:, :, None] - color
+    over *= part
+    color += over
+    gloss *= 1.0 - _MATT * part
 
 
 def _cover(inside: Floats, soft: Floats) -> Floats:
@@ -153,7 +153,10 @@ def _print(onto: Floats, places: Floats, marks: Mapping[int, str], axis: int, ra
     rows = np.array(list(marks))
     texels = ball_marks.texels(radius)
     pictures = np.stack([ball_marks.picture(mark, texels) for mark in marks.values()])
-    which, where = np.nonzero(np.abs(places[rows, axis]) > math.sqrt(1.0 - ball_marks.REACH**2))
-    points = places[rows[which], :, where]
-    right, up = points[:, axis - 2] * np.sign(points[:, axis]), points[:, axis - 1]
-    onto[rows[which], where] = ball_marks.sample(pictures, which, right, up)
+    count = places.shape[2]
+    inside = np.flatnonzero(np.abs(places[rows, axis]) > math.sqrt(1.0 - ball_marks.INKED**2))
+    which = inside // count
+    ball, point = rows[which], inside % count
+    flat, at = places.reshape(-1), 3 * count * ball + point
+    right, up, out = (flat[at + part % 3 * count] for part in (axis + 1, axis + 2, axis))
+    onto[ball, point] = ball_marks.sample(pictures, which, np.copysign(right, right * out), up)

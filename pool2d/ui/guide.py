@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import pygame
 
@@ -37,6 +38,7 @@ class Guide:
     object: Line
 
 
+@lru_cache(maxsize=4)
 def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
     """The guide of a rollout; `length` is how far the ways after the contact are followed."""
     contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import pygame
 
@@ -12,14 +13,14 @@ from . import pen, text, theme
 from .aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Screen:
     """Where things are in a window of a given size."""
 
     width: int
     height: int
 
-    @property
+    @cached_property
     def unit(self) -> int:
         return theme.unit(min(self.height, self.width * 9 // 16))
 
