@@ -123,6 +123,14 @@ def test_the_order_of_fall_goes_on_and_comes_back() -> None:
     assert keeper.lying(first.layout(), first).down == ["2", "1"]
 
 
+def test_a_hand_that_moves_a_ball_does_not_turn_it() -> None:
+    keeper = Keeper()
+    rack = TABLE.rack("eight-ball", 7)
+    lies = keeper.lying(rack).lies
+    assert keeper.lying(rack.put(rack["cue"]._replace(x=0.3))).lies == lies
+    assert keeper.lying(TABLE.rack("eight-ball", 8)).lies != lies
+
+
 def test_balls_whose_fall_was_not_seen_are_down_too() -> None:
     layout = Layout([CUE, Ball("4", 0.0, 0.0, phase="pocketed"), Ball("5", 0.3, 0.3)])
     assert Keeper().lying(layout).down == ["4"]

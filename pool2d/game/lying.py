@@ -45,7 +45,8 @@ class Keeper:
             before = self._before(rollout.start)
             shot = self._shots[rollout] = _Shot(Turning(rollout, before.lies), before.down, fallen(rollout))
         self._shown = shot
-        down = [ball for ball in shot.before + fallen(rollout, t) if layout[ball].phase == POCKETED]
+        pocketed = _pocketed(layout)
+        down = [ball for ball in shot.before + fallen(rollout, t) if ball in pocketed]
         return Lying(shot.turning.lies(t), down)
 
     def turning(self, rollout: Rollout) -> Turning:
@@ -64,7 +65,11 @@ class Keeper:
 
     def _rack(self, layout: Layout) -> Lying:
         if self._racked is None or self._racked[0] is not layout:
-            self._racked = layout, Lying(racked(layout), _order([], layout))
+            lies = racked(layout)
+            if self._racked is not None and _moved(self._racked[0], layout) <= 1:
+                # No new rack: a hand has moved a ball, and does not turn it.
+                lies |= self._racked[1].lies
+            self._racked = layout, Lying(lies, _order([], layout))
         return self._racked[1]
 
 
@@ -89,6 +94,16 @@ def racked(layout: Layout) -> dict[str, Quaternion]:
 
 def _order(known: list[str], layout: Layout) -> list[str]:
     """The pocketed balls of a layout: those whose fall is known in that order, before them the others."""
-    down = [ball.id for ball in layout.values() if ball.phase == POCKETED]
+    down = _pocketed(layout)
     order = [ball for ball in known if ball in down]
     return [ball for ball in down if ball not in order] + order
+
+
+def _moved(before: Layout, after: Layout) -> int:
+    """How many balls are elsewhere than before."""
+    places = {ball.id: (ball.x, ball.y) for ball in before.values()}
+    return sum(places.get(ball.id) != (ball.x, ball.y) for ball in after.values())
+
+
+def _pocketed(layout: Layout) -> list[str]:
+    return [ball.id for ball in layout.values() if ball.phase == POCKETED]

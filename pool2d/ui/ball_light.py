@@ -23,7 +23,7 @@ _LAMP = (-0.34, 0.46, 0.82)
 # which on a small ball is at least so much over the radius in pixels.
 _IMAGE, _HALF, _EDGE, _BLUR = (-0.62, 0.74), (0.34, 0.15), 0.10, 2.8
 # Light from all round; from the lamp; thrown back by the cloth, as parts of the paint's own.
-_AROUND, _DIRECT, _BOUNCE = 0.28, 0.75, 0.36
+_AROUND, _DIRECT, _BOUNCE = 0.28, 0.75, 0.29
 _GLEAM, _SHEEN, _RIM = 205.0, 26.0, 20.0
 _DITHER = 0.8
 
@@ -128,7 +128,7 @@ def shadow(radius: float, step: int) -> pygame.Surface:
     ox, oy = -_LAMP[0] / length, _LAMP[1] / length
     along = np.clip(x * ox + y * oy, 0.0, 0.85)
     long = _blot(x - along * ox, y - along * oy, 0.72, 0.62)
-    light_left = (1.0 - 0.46 * contact) * (1.0 - 0.40 * soft) * (1.0 - 0.20 * long)
+    light_left = (1.0 - 0.52 * contact) * (1.0 - 0.40 * soft) * (1.0 - 0.20 * long)
     image = pygame.Surface((2 * half + 1, 2 * half + 1), pygame.SRCALPHA)
     level = 255.0 * (1.0 - light_left) + _noise(light_left.size).reshape(light_left.shape)
     pygame.surfarray.pixels_alpha(image)[...] = np.where(light_left > 0.998, 0.0, np.clip(level, 0.0, 255.0)).astype(

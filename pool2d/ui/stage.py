@@ -12,7 +12,7 @@ from ..game.falls import falling
 from ..game.lying import Keeper
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
-from ..physics.turning import Quaternion
+from ..physics.turning import FACING, Quaternion
 from ..physics.values import Ball, Layout, Shot
 from ..racks import Look
 from ..table import Table
@@ -62,7 +62,7 @@ class Stage:
             for fall in falls:
                 ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
                 balls.append(tray.sinking(fall, self._placed(ball, fall.lie)))
-        balls += [self._placed(ball, lies[ball.id]) for ball in layout.on_table()]
+        balls += [self._placed(ball, lies.get(ball.id, FACING)) for ball in layout.on_table()]
         ball_art.draw_all(surface, balls, self.style)
         self._down = [ball for ball in down if ball != self.table.furniture.cue]
 
