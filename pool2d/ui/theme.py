@@ -67,11 +67,11 @@ STANDARD = Palette(
     yellow=(242, 190, 26), blue=(24, 62, 178), red=(206, 28, 32), purple=(92, 36, 140), orange=(236, 106, 22),
     green=(8, 108, 62), maroon=(126, 20, 32), black=(22, 22, 25), brown=(116, 64, 30), pink=(238, 140, 160),
 )  # fmt: skip
-# Found by search so that those who confuse red and green tell every two colours of a set apart, mostly by
-# how light and how blue they are.
+# Found by search so that those who confuse red and green tell every two colours of a set apart, and each
+# from the cloth, mostly by how light and how blue they are.
 COLOR_BLIND = Palette(
-    yellow=(255, 245, 14), blue=(6, 44, 191), red=(170, 0, 0), purple=(109, 127, 210), orange=(225, 136, 0),
-    green=(36, 159, 114), maroon=(70, 0, 80), black=(4, 10, 5), brown=(88, 50, 85), pink=(222, 120, 234),
+    yellow=(255, 245, 1), blue=(30, 56, 218), red=(170, 0, 13), purple=(134, 142, 221), orange=(225, 139, 0),
+    green=(119, 177, 116), maroon=(70, 0, 77), black=(4, 9, 5), brown=(92, 50, 85), pink=(221, 114, 218),
 )  # fmt: skip
 # As bright and as full as the screen allows.
 HIGH_CONTRAST = Palette(

@@ -112,7 +112,14 @@ def closest(palette: Palette, names: tuple[str, ...], kind: str) -> tuple[float,
 def test_who_confuses_red_and_green_can_tell_the_colours_of_their_palette(names: tuple[str, ...], kind: str) -> None:
     least, pair = closest(theme.COLOR_BLIND, names, kind)
     assert least > 30.0, pair
-    assert least > 1.9 * closest(theme.STANDARD, names, kind)[0]
+    assert least > 1.7 * closest(theme.STANDARD, names, kind)[0]
+
+
+@pytest.mark.parametrize("kind", ["deuteranopia", "protanopia"])
+def test_no_ball_is_lost_on_the_cloth(kind: str) -> None:
+    cloth = seen_as(theme.CLOTH, kind)
+    names = {*POOL, *SNOOKER}
+    assert min(np.linalg.norm(seen_as(getattr(theme.COLOR_BLIND, name), kind) - cloth) for name in names) > 25.0
 
 
 @pytest.mark.parametrize("name", PALETTES)
