@@ -1,6 +1,6 @@
 """How long frames take, drawn in software: `python -m benchmarks.frames [WxH]`.
 
-Prints the time from starting Python to the first frame, and the median and longest frame at rest,
+Prints the time from starting Python to the first frame, and the shortest, median and longest frame at rest,
 while aiming (the guide is simulated anew each frame) and with sixteen balls rolling.
 """
 
@@ -46,7 +46,9 @@ def _tell(name: str, app: App, change: Callable[[], None], dt: float = 0.0) -> N
         start = time.perf_counter()
         app.step(dt)
         times.append(1e3 * (time.perf_counter() - start))
-    print(f"{name:<14} {statistics.median(times):7.2f} ms median, {max(times):6.2f} ms longest")
+    print(
+        f"{name:<14} {statistics.median(times):7.2f} ms median, {min(times):6.2f} shortest, {max(times):6.2f} longest"
+    )
 
 
 def _cold_start() -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import pygame
 
@@ -37,6 +38,7 @@ class Guide:
     object: Line
 
 
+@lru_cache(maxsize=4)
 def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
     """The guide of a rollout; `length` is how far the ways after the contact are followed."""
     contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))
@@ -84,6 +86,7 @@ def draw_whole(
     view: View,
     cue: theme.Color = theme.GUIDE_CUE,
     others: theme.Color = theme.GUIDE_BALL,
+    style: theme.Style = theme.PLAIN,
 ) -> None:
     """Draw every ball's way to its end, and where it comes to rest."""
     scale = max(1.0, view.scale / 400.0)
@@ -94,7 +97,7 @@ def draw_whole(
             if ball.phase != POCKETED:
                 radius = table.body_of(ball)[0] * view.scale
                 look = table.furniture.looks.get(ball.id)
-                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look)
+                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look, style=style)
 
 
 def _sampled(motion: Motion, start: float, end: float) -> Line:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import pygame
 
@@ -12,14 +13,14 @@ from . import pen, text, theme
 from .aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Screen:
     """Where things are in a window of a given size."""
 
     width: int
     height: int
 
-    @property
+    @cached_property
     def unit(self) -> int:
         return theme.unit(min(self.height, self.width * 9 // 16))
 
@@ -34,6 +35,11 @@ class Screen:
     @property
     def top(self) -> pygame.Rect:
         return pygame.Rect(0, 0, self.width, self.unit * 4)
+
+    @property
+    def tray(self) -> pygame.Rect:
+        """Where the fallen balls lie: in the middle of the upper bar."""
+        return pygame.Rect(self.width * 5 // 16, 0, self.width * 3 // 8, self.top.height)
 
     @property
     def bottom(self) -> pygame.Rect:

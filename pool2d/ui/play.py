@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable
 
 import pygame
 
 from ..errors import BudgetError, InputError
+from ..game.falls import ending
 from ..game.session import Session
 from ..physics.rollout import Rollout
 from ..physics.strike import hop
@@ -171,7 +173,7 @@ class Play:
 
     def _enter(self) -> None:
         if self.rollout:
-            self.time = self.rollout.duration
+            self.time = ending(self.rollout)
         elif self._holding:
             self._place()
         else:
@@ -283,7 +285,7 @@ class Play:
         if self.rollout:
             before, self.time = self.time, self.time + dt * (_FAST if self.fast else 1.0)
             self.sounds.play_events(self.session.table, self.rollout, before, self.time)
-            if self.time >= self.rollout.duration:
+            if self.time >= ending(self.rollout):
                 self._come_to_rest(self.rollout)
         return self
 
@@ -318,7 +320,7 @@ class Play:
             stage.ways(surface, self.tuning)
         elif aiming and speed > 0.0:
             stage.guide(surface, self.level, session.layout, aim.shot(session.cue.id, speed))
-        stage.balls(surface, shown)
+        stage.balls(surface, shown, self.rollout or session.rollout, self.time if self.rollout else math.inf)
         if aiming:
             back = _REST + (_FULL - _REST) * self.hands.drawn
             cue_art.draw(surface, session.table, session.cue, aim, back, stage.view)
@@ -329,6 +331,7 @@ class Play:
             draw_geometry(ScreenPen(surface, stage.view), session.table)
         note = f"Shot {session.position.shots + 1}   \N{MIDDLE DOT}   {session.left} balls left"
         hud.draw_bars(surface, stage.screen, session.table.title, note)
+        stage.tray(surface)
         hud.draw_controls(surface, stage.screen, aim, speed, session.table.knobs.cue.tip_friction)
         wrong = (self.tuning.error if self.tuning is not None else "") or self.warning
         message = wrong or f"{self.message} {self._hop(speed)}".strip()

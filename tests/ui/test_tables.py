@@ -92,7 +92,7 @@ def test_snooker_balls_have_their_colours(ball: str) -> None:
     look = load_table("snooker-12ft").furniture.looks[ball]
     color = tuple(bytes.fromhex(look.color[1:]))
     # Where the light falls in full but does not gleam.
-    assert near(drawn(look).get_at((52, 40)), color, 60)
+    assert near(drawn(look).get_at((33, 42)), color, 60)
 
 
 def test_numbers_stripes_and_dots_can_be_told() -> None:
