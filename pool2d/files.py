@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import json
-import math
 import os
 import re
 import stat
 import tempfile
 import tomllib
 from collections.abc import Mapping
+from datetime import date, time
 from pathlib import Path
 from typing import Any
 
@@ -121,8 +121,10 @@ def _value(value: Any) -> str:
         return str(value).lower()
     if isinstance(value, str):
         return to_text(value)
+    if isinstance(value, (date, time)):
+        return value.isoformat()
     assert isinstance(value, (int, float))
-    assert math.isfinite(value)
+    # TOML writes inf and nan as Python does.
     return repr(value)
 
 
