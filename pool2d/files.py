@@ -7,7 +7,6 @@ import json
 import os
 import re
 import stat
-import tempfile
 import tomllib
 from collections.abc import Mapping
 from datetime import date, time
@@ -64,6 +63,9 @@ def write_text(path: Path, text: str, new: bool = False) -> None:
 
     Raises InputError where the file is there, with `new`, or cannot be written.
     """
+    # Slow to read, and of no use before the window is open.
+    import tempfile
+
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         # The ending keeps a half-written file from being taken for a preset.

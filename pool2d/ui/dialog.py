@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pygame
 
-from . import theme
+from . import shapes, theme
 from .field import TextField
 from .form import Form
 from .hud import Screen
@@ -48,10 +48,10 @@ class Dialog:
 
     def draw(self, surface: pygame.Surface) -> None:
         self.below.draw(surface)
-        theme.veil(surface)
+        shapes.veil(surface)
         unit = Screen(*surface.get_size()).unit
         height = min(self.form.height(unit) + 4 * unit, surface.get_height() - 4 * unit)
-        box = pygame.Rect(0, 0, self.width * unit, height)
+        box = pygame.Rect(0, 0, min(self.width * unit, surface.get_width()), height)
         box.center = surface.get_rect().center
         self.form.place(box, unit)
         self.form.draw(surface)

@@ -104,7 +104,7 @@ class TextField(Widget):
         size = self._size = unit * 7 // 4
         text.draw(surface, self.label, size, theme.QUIET, self.rect.topleft)
         box = pygame.Rect(self.rect.left, self.rect.bottom - unit * 7 // 2, self.rect.width, unit * 3)
-        plate(surface, box, theme.FACE, unit, tone(focused, hovered))
+        plate(surface, box, theme.FACE, unit, theme.ACCENT if focused else tone(hovered))
         inner = box.inflate(-2 * unit, -unit // 2)
         width = text.font(size).size
         caret = width(self.value[: self.cursor])[0]

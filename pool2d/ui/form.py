@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pygame
 
-from . import text, theme
+from . import shapes, text, theme
 from .field import TextField
 from .widgets import Widget, ring, scroll_mark
 
@@ -90,19 +90,20 @@ class Form:
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw the panel, the widgets on it and perhaps a hint."""
-        theme.panel(surface, self.rect, self.unit)
+        shapes.panel(surface, self.rect, self.unit)
         clip = surface.get_clip()
         surface.set_clip(self.rect)
         for widget in self.widgets:
             if widget.rect.colliderect(self.rect):
                 shown = widget is self.focus and (self.by_keys or isinstance(widget, TextField))
                 widget.draw(surface, self.unit, shown, widget is self._hovered)
-        if self.focus is not None and self.by_keys:
+        # A field that is typed in shows it by its cursor and its edge.
+        if self.focus is not None and self.by_keys and not isinstance(self.focus, TextField):
             ring(surface, self.focus.rect, self.unit)
         mark = self._mark()
         if mark is not None:
             color = theme.TEXT if self._scrolling is not None else theme.QUIET if self._inside else theme.EDGE
-            pygame.draw.rect(surface, color, mark, border_radius=self.unit)
+            shapes.rounded(surface, mark, color, self.unit)
         surface.set_clip(clip)
         if self._hovered is not None and self._hovered.hint and self._rest > _HINT and self._held is None:
             self._draw_hint(surface, self._hovered)
@@ -120,8 +121,7 @@ class Form:
             if box.bottom > surface.get_height():
                 box.bottom = widget.rect.top - unit // 2
         box.clamp_ip(surface.get_rect())
-        pygame.draw.rect(surface, theme.FACE, box, border_radius=unit // 2)
-        pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=unit // 2)
+        shapes.rounded(surface, box, theme.FACE, unit // 2, theme.EDGE)
         for i, line in enumerate(lines):
             text.draw(surface, line, size, theme.TEXT, (box.left + unit, box.top + unit // 2 + i * pitch))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pygame
 
-from . import text, theme
+from . import shapes, text, theme
 from .hud import Screen
 from .keys import HANDS, HELD, KEYS, rows
 from .scene import Scene
@@ -33,8 +33,8 @@ class Help:
         unit = screen.unit
         page = pygame.Rect(0, 0, left + right + 9 * unit, pitch * len(lines) + 2 * screen.large + 5 * unit)
         page.center = surface.get_rect().center
-        theme.veil(surface)
-        theme.panel(surface, page, unit)
+        shapes.veil(surface)
+        shapes.panel(surface, page, unit)
         x, y = page.left + 3 * unit, page.top + 2 * unit
         text.draw(surface, say("help.title"), screen.large, theme.TEXT, (x, y))
         y += 2 * screen.large + unit

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import pygame
 
 from ..knobs import Knob
-from . import pen, text, theme, words
+from . import pen, shapes, text, theme, words
 from .widgets import Widget, face, plate, scroll_mark, tone
 
 _BACK = "\N{SINGLE LEFT-POINTING ANGLE QUOTATION MARK}"
@@ -75,9 +75,10 @@ class Slider(Widget):
         told = text.draw(surface, shown, unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
         label = text.fitted(self.label, unit * 7 // 4, told.left - self.rect.left - unit)
         text.draw(surface, label, unit * 7 // 4, color, (self.rect.left, top))
-        pygame.draw.rect(surface, theme.EDGE, track, border_radius=track.height)
+        shapes.rounded(surface, track, theme.EDGE, track.height)
         x = round(track.left + self.part(value) * track.width)
-        pygame.draw.rect(surface, theme.ACCENT, (track.left, track.top, x - track.left, track.height), border_radius=4)
+        filled = pygame.Rect(track.left, track.top, x - track.left, track.height)
+        shapes.rounded(surface, filled, theme.ACCENT, track.height)
         if focused or hovered or self.held:
             pen.disc(surface, theme.ACCENT_DOWN if self.held else theme.EDGE, (x, track.centery), unit * 1.3)
         pen.disc(surface, theme.TEXT, (x, track.centery), unit * 0.85)
@@ -131,7 +132,7 @@ class Choice(Widget):
         label = text.fitted(self.label, size, box.left - self.rect.left - unit // 2)
         text.draw(surface, label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
         box.inflate_ip(0, -unit // 2)
-        plate(surface, box, face(self.pressed, hovered), unit, tone(focused, hovered))
+        plate(surface, box, face(self.pressed, hovered), unit, tone(hovered))
         over = 0 if self.pointer is None or not hovered else -1 if self.pointer[0] < self._middle() else 1
         back, on = (theme.TEXT if over == side else theme.QUIET for side in (-1, 1))
         text.draw(surface, _BACK, size, back, (box.left + unit, box.centery), (0.0, 0.5))
@@ -178,17 +179,18 @@ class ListBox(Widget):
         return True
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
-        plate(surface, self.rect, theme.FACE, unit, tone(focused, False))
+        plate(surface, self.rect, theme.FACE, unit, tone(hovered))
         pitch = self.rect.height / self.lines
         first = self.first()
+        mark = scroll_mark(self.rect, first, self.lines, len(self.options()), unit)
+        width = self.rect.width - (0 if mark is None else unit)
         for i, name in enumerate(list(self.options())[first : first + self.lines]):
-            line = pygame.Rect(self.rect.left, round(self.rect.top + i * pitch), self.rect.width, round(pitch))
+            line = pygame.Rect(self.rect.left, round(self.rect.top + i * pitch), width, round(pitch))
             over = hovered and self.pointer is not None and line.collidepoint(self.pointer)
             if name == self.get() or over:
                 color = theme.SELECTED if name == self.get() else theme.FACE_LIT
                 plate(surface, line.inflate(-unit // 2, -unit // 4), color, unit, None)
             shown = text.fitted(name, unit * 7 // 4, line.width - 3 * unit)
             text.draw(surface, shown, unit * 7 // 4, theme.TEXT, (line.left + unit * 3 // 2, line.centery), (0.0, 0.5))
-        mark = scroll_mark(self.rect, first, self.lines, len(self.options()), unit)
         if mark is not None:
-            pygame.draw.rect(surface, theme.QUIET if hovered else theme.EDGE, mark, border_radius=unit)
+            shapes.rounded(surface, mark, theme.QUIET if hovered else theme.EDGE, unit)

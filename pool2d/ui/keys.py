@@ -87,7 +87,7 @@ class Keymap:
     def shown(self, *actions: str) -> str:
         """The keys of actions, as people call them."""
         if len(actions) > 1:
-            return " ".join(shown(*self.chords[action][:1]) for action in actions)
+            return (" / " if len(actions) == 2 else " ").join(shown(*self.chords[action][:1]) for action in actions)
         return shown(*self.chords[actions[0]])
 
     def names(self) -> dict[str, list[str]]:
@@ -155,8 +155,11 @@ def rows() -> list[tuple[str, ...]]:
 
 def _shown(chord: int) -> str:
     name = _plain(chord)
-    key = "key." + name.replace(" ", "_")
-    said = words.say(key) if words.known(key) else name.upper() if len(name) <= 3 else name.capitalize()
+    text = name.replace(" ", "_")
+    if words.known(f"key.{text}"):
+        said = words.say(f"key.{text}")
+    else:
+        said = name.upper() if len(name) <= 3 else name.capitalize()
     return f"{words.say('key.ctrl')}+{said}" if chord & CTRL else said
 
 

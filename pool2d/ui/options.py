@@ -13,7 +13,7 @@ from .dialog import Dialog
 from .inputs import Choice, Slider
 from .keys import DEFAULTS, FIXED, KEYS, chord_of, may_be_bound, shown
 from .scene import Scene
-from .widgets import Button, Heading, Tabs, Toggle, Widget, face, plate, tone
+from .widgets import Button, Gap, Heading, Tabs, Toggle, Widget, face, plate, tone
 from .words import say
 
 KEYS_PAGE = "keys"
@@ -27,12 +27,14 @@ OFFERED: dict[str, Callable[[], Sequence[str]]] = {
 }
 # Settings that hands change elsewhere, by dragging the window's edge.
 _ELSEWHERE = ("screen.width", "screen.height")
+# So tall, in rows, is every page but the keys', lest the panel jump from one to the next.
+_TALL = 5.0
 
 
 class Options(Dialog):
     """A page of options over another scene; Esc or its button goes back. `store` is what is turned."""
 
-    width = 64
+    width = 68
 
     def __init__(self, below: Scene, store: Store) -> None:
         super().__init__(below, "", [])
@@ -41,11 +43,14 @@ class Options(Dialog):
         self._lay_out()
 
     def _lay_out(self) -> None:
+        page = self._page()
         self.form.set_rows(
             [
                 [Heading(lambda: say("options.title"), theme.TEXT, large=True)],
                 [Tabs(PAGES, lambda: self.page, self._open, lambda page: say(f"options.page.{page}"))],
-                *([widget] for widget in self._page()),
+                [Gap(0.4)],
+                *([widget] for widget in page),
+                [Gap(max(0.4, _TALL - sum(widget.rows for widget in page)))],
                 [Heading(lambda: say("options.saved"))],
                 [
                     Button(say("options.reset"), self._reset, say("options.reset_hint")),
@@ -57,7 +62,7 @@ class Options(Dialog):
     def _page(self) -> list[Widget]:
         if self.page == KEYS_PAGE:
             rows = [KeyRow(action, self._keys_changed) for action in DEFAULTS if action not in FIXED]
-            return [Heading(lambda: say("options.keys.intro")), *rows]
+            return [Heading(lambda: say("options.keys.intro"), lines=2), *rows]
         return [self._widget(name, knob) for name, knob in self._settings()]
 
     def _settings(self) -> list[tuple[str, Knob]]:
@@ -174,7 +179,7 @@ class KeyRow(Widget):
         box = self.rect.inflate(0, -unit // 2)
         box.width = self.rect.width * 3 // 5
         box.right = self.rect.right
-        edge = theme.ACCENT if self.greedy else tone(False, hovered)
+        edge = theme.ACCENT if self.greedy else tone(hovered)
         plate(surface, box, face(self.pressed or self.greedy, hovered), unit, edge)
         said = self.told or KEYS.shown(self.action)
         tint = theme.ACCENT if self.told else theme.TEXT

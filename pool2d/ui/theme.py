@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import pygame
-
 Color = tuple[int, int, int] | tuple[int, int, int, int]
 
 BACKGROUND = (13, 14, 16)
@@ -57,17 +55,3 @@ BALLS = {
 def unit(height: int) -> int:
     """The grid's pitch, in pixels, for a window of this height: 8 at 720. A tiny window has tiny letters."""
     return max(1, round(height / 90))
-
-
-def veil(surface: pygame.Surface) -> None:
-    """Darken what is below a page or a question."""
-    shade = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
-    shade.fill(VEIL)
-    surface.blit(shade, (0, 0))
-
-
-def panel(surface: pygame.Surface, rect: pygame.Rect, unit: int) -> None:
-    """The ground of a page, a panel or a question."""
-    ground = pygame.Surface(rect.size, pygame.SRCALPHA)
-    pygame.draw.rect(ground, PANEL, ground.get_rect(), border_radius=unit)
-    surface.blit(ground, rect)

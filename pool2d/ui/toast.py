@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import pygame
 
-from . import text, theme
+from . import shapes, text, theme
 from .hud import Screen
 
 # How long a note slides, s, and how long it stays: so much, and more for each letter.
@@ -65,12 +65,12 @@ class Toasts:
     def _draw(self, surface: pygame.Surface, screen: Screen, note: Note, y: int, part: float) -> int:
         """Draw one note, come in so far; returns its height."""
         unit, size = screen.unit, screen.small
-        lines = text.wrap(note.words, size, min(56 * unit, screen.width - 8 * unit))
+        lines = text.wrap(note.words, size, min(64 * unit, screen.width - 8 * unit))
         pitch = text.font(size).get_linesize()
         width = max(text.font(size).size(line)[0] for line in lines) + 4 * unit
         box = pygame.Rect(0, y, width, pitch * len(lines) + 2 * unit)
         box.left = screen.width - round(part * (width + unit))
-        theme.panel(surface, box, unit)
+        shapes.panel(surface, box, unit)
         color = theme.WARNING if note.wrong else theme.ACCENT
         pygame.draw.rect(surface, color, (box.left + unit, box.top + unit, max(2, unit // 3), box.height - 2 * unit))
         for i, line in enumerate(lines):

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 import pygame
 
-from . import pen, text, theme
+from . import pen, shapes, text, theme
 
 
 class Widget:
@@ -61,9 +61,7 @@ class Widget:
 
 def plate(surface: pygame.Surface, rect: pygame.Rect, color: theme.Color, unit: int, edge: theme.Color | None) -> None:
     """A rounded rectangle, with an edge or without."""
-    pygame.draw.rect(surface, color, rect, border_radius=unit * 3 // 4)
-    if edge is not None:
-        pygame.draw.rect(surface, edge, rect, max(1, unit // 6), border_radius=unit * 3 // 4)
+    shapes.rounded(surface, rect, color, unit * 3 // 4, edge, max(1, unit // 6))
 
 
 def face(pressed: bool, hovered: bool) -> theme.Color:
@@ -73,8 +71,7 @@ def face(pressed: bool, hovered: bool) -> theme.Color:
 
 def ring(surface: pygame.Surface, rect: pygame.Rect, unit: int) -> None:
     """Mark what has the focus."""
-    width = max(2, unit // 4)
-    pygame.draw.rect(surface, theme.ACCENT, rect.inflate(unit, -unit // 8), width, border_radius=unit)
+    shapes.rounded(surface, rect.inflate(unit * 3 // 2, 0), None, unit, theme.ACCENT, max(2, unit // 5))
 
 
 def scroll_mark(rect: pygame.Rect, first: int, seen: int, whole: int, unit: int) -> pygame.Rect | None:
@@ -87,9 +84,9 @@ def scroll_mark(rect: pygame.Rect, first: int, seen: int, whole: int, unit: int)
     return pygame.Rect(rect.right - unit, top, max(2, unit * 5 // 8), height)
 
 
-def tone(focused: bool, hovered: bool) -> theme.Color:
+def tone(hovered: bool) -> theme.Color:
     """The colour of an edge."""
-    return theme.ACCENT if focused else theme.TEXT if hovered else theme.EDGE
+    return theme.QUIET if hovered else theme.EDGE
 
 
 class Heading(Widget):
@@ -119,6 +116,16 @@ class Heading(Widget):
             text.draw(surface, line, size, self.color, (self.rect.left, self.rect.top + i * pitch))
 
 
+class Gap(Widget):
+    """Room between others."""
+
+    focusable = False
+
+    def __init__(self, rows: float) -> None:
+        super().__init__()
+        self.rows = rows
+
+
 class Button(Widget):
     """Does something when it is pressed and released, or on Enter or Space."""
 
@@ -146,7 +153,7 @@ class Button(Widget):
         color = face(self.pressed, hovered)
         if self.strong:
             color = theme.ACCENT_DOWN if self.pressed else theme.ACCENT_LIT if hovered else theme.ACCENT
-        plate(surface, box, color, unit, None if self.strong else tone(False, hovered))
+        plate(surface, box, color, unit, None if self.strong else tone(hovered))
         label = text.fitted(self.label, unit * 7 // 4, box.width - unit)
         sunk = (box.centerx, box.centery + (unit // 8 if self.pressed else 0))
         text.draw(surface, label, unit * 7 // 4, theme.BACKGROUND if self.strong else theme.TEXT, sunk, (0.5, 0.5))
@@ -182,7 +189,7 @@ class Toggle(Widget):
         on = self.get()
         lit = theme.ACCENT_LIT if hovered else theme.ACCENT
         unlit = theme.QUIET if hovered else theme.EDGE
-        pygame.draw.rect(surface, lit if on else unlit, track, border_radius=unit)
+        shapes.rounded(surface, track, lit if on else unlit, unit)
         x = track.right - unit if on else track.left + unit
         pen.disc(surface, theme.TEXT, (x, track.centery), unit * (0.65 if self.pressed else 0.8))
 
@@ -215,13 +222,15 @@ class Tabs(Widget):
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         width = self.rect.width / len(self.names)
+        labels = [self.shown(name) for name in self.names]
+        size = max(1, unit * 3 // 2)
+        while size > 1 and max(text.font(size).size(label)[0] for label in labels) > width - unit:
+            size -= 1
         for i, name in enumerate(self.names):
             over = self.pointer is not None and hovered and 0 <= self.pointer[0] - self.rect.left - i * width < width
             tab = pygame.Rect(round(self.rect.left + i * width), self.rect.top, round(width) - 1, self.rect.height)
             tab.inflate_ip(-unit // 4, -unit // 2)
             here = name == self.get()
-            plate(surface, tab, theme.FACE_LIT if here else theme.FACE, unit, tone(focused, over) if here else None)
-            label = text.fitted(self.shown(name), unit * 3 // 2, tab.width - unit // 2)
-            text.draw(
-                surface, label, unit * 3 // 2, theme.TEXT if here or over else theme.QUIET, tab.center, (0.5, 0.5)
-            )
+            plate(surface, tab, theme.FACE_LIT if here else theme.FACE, unit, tone(over) if here else None)
+            color = theme.TEXT if here or over else theme.QUIET
+            text.draw(surface, labels[i], size, color, tab.center, (0.5, 0.5))

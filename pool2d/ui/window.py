@@ -9,7 +9,7 @@ import pygame
 
 from .._version import __version__
 from ..settings import Store
-from . import text, theme
+from . import shapes, text, theme
 from .words import say
 
 SIZE = (1280, 720)
@@ -75,6 +75,6 @@ def draw_splash(surface: pygame.Surface, part: float) -> None:
     if part > 0.0:
         bar = pygame.Rect(0, 0, 40 * unit, max(2, unit // 2))
         bar.center = (width // 2, height // 2 + 8 * unit)
-        pygame.draw.rect(surface, theme.EDGE, bar, border_radius=unit)
+        shapes.rounded(surface, bar, theme.EDGE, unit)
         bar.width = round(bar.width * part)
-        pygame.draw.rect(surface, theme.ACCENT, bar, border_radius=unit)
+        shapes.rounded(surface, bar, theme.ACCENT, unit)
