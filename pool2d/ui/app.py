@@ -57,8 +57,7 @@ class App:
         self._unsaved = 0.0
         self.store.listeners.append(self._apply)
         self._apply()
-        for error in KEYS.take(self.store.keys, str(self.store.path)):
-            self.store.complain(error)
+        self._take_keys()
         for error in self.store.complaints:
             self.toast(str(error), wrong=True)
 
@@ -158,6 +157,14 @@ class App:
         self._unsaved = 0.0
         if values.screen.full != self._full:
             self.surface = set_mode(self.size, values.screen.full)
+
+    def _take_keys(self) -> None:
+        """Bind the keys that the player has bound, and drop what is wrong among them."""
+        wrong = KEYS.take(self.store.keys, str(self.store.path))
+        for error in wrong:
+            self.store.complain(error)
+        if wrong:
+            self.store.bind(KEYS.names())
 
     def _keep(self, dt: float) -> None:
         """Keep what hands have changed in play, and write it once it has settled."""

@@ -20,7 +20,10 @@ def font(size: int) -> pygame.font.Font:
     path = asset("fonts", "OpenSans-Semibold.ttf")
     size = max(1, size)
     try:
-        return pygame.font.Font(path, size)
+        made = pygame.font.Font(path, size)
+        # A damaged file is only found out when the font is used.
+        made.size("x")
+        return made
     except (OSError, pygame.error):
         failed.add(path)
         return pygame.font.Font(None, size)

@@ -38,14 +38,16 @@ def set_mode(size: tuple[int, int], full: bool) -> pygame.Surface:
 
 
 def first_size(store: Store) -> tuple[int, int]:
-    """The size that was set, or a comfortable one for the screen: 1280x720, and twice that on a 4K one."""
+    """The size that was set, or a comfortable one for the screen: 1280x720, twice that on a 4K one, or less."""
     screen = store.values.screen
     if screen.width and screen.height:
         return max(SMALLEST[0], int(screen.width)), max(SMALLEST[1], int(screen.height))
     pygame.display.init()
     width, height = max(pygame.display.get_desktop_sizes(), default=SIZE)
-    scale = 2 if width >= 3200 and height >= 1800 else 1
-    return SIZE[0] * scale, SIZE[1] * scale
+    # Some room is left for what the desktop keeps on its edges.
+    fitting = (n for n in (2.0, 1.0, 0.75) if n * SIZE[0] <= 0.95 * width and n * SIZE[1] <= 0.95 * height)
+    scale = next(fitting, 0.5)
+    return round(SIZE[0] * scale), round(SIZE[1] * scale)
 
 
 class Splash:
