@@ -115,6 +115,8 @@ class App:
         elif action == "screenshot":
             self._screenshot()
         elif action == "options" and isinstance(self.scene, Play):
+            # The hands leave the table, as they do when the window is left.
+            self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
             self.scene = Options(self.scene, self.store)
         else:
             return False

@@ -53,7 +53,9 @@ def test_the_table_is_to_scale_and_inside_the_window(hand: Hand, size: tuple[int
     assert screen.top.bottom <= top < bottom <= screen.bottom.top
 
 
-@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (3840, 2160)])
+@pytest.mark.parametrize(
+    "size", [(960, 540), (1280, 720), (1920, 1080), (3840, 2160), (640, 360), (320, 200), (200, 800), (90, 60)]
+)
 def test_every_control_is_inside_the_window_and_apart(size: tuple[int, int]) -> None:
     screen = Screen(*size)
     window = pygame.Rect(0, 0, *size)

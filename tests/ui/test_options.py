@@ -70,6 +70,18 @@ def test_a_key_opens_the_options_and_esc_closes_them(mine: Hand) -> None:
     assert isinstance(mine.app.scene, Play)
 
 
+def test_opening_them_puts_the_cue_down(mine: Hand) -> None:
+    mine.point(1.2, 0.7)
+    mine.press()
+    mine.pull(60)
+    assert mine.play.hands.busy
+    options(mine)
+    mine.release()
+    mine.key(pygame.K_ESCAPE)
+    assert not mine.play.hands.busy
+    assert mine.play.rollout is None
+
+
 def test_a_slider_is_dragged_and_the_file_holds_it(mine: Hand, store: Store) -> None:
     scene = options(mine, "sound")
     slider = widget(scene, Slider, "Volume")

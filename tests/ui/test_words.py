@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from pool2d.assets import asset
 from pool2d.knobs import walk
 from pool2d.settings import GUIDES, Settings
 from pool2d.ui import words
@@ -141,10 +142,11 @@ def test_speeds_are_told_in_the_players_unit(unit: str, said: str) -> None:
 
 def test_a_damaged_catalogue_is_told_and_english_stands_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "de.toml").write_text('[form]\ncancel = "Ab {"\nsave = "Behalten"\nclose = 3\n')
-    real = words.asset
-    monkeypatch.setattr(
-        words, "asset", lambda folder, name: (tmp_path if name == "de.toml" else real(folder, "")) / name
-    )
+
+    def find(folder: str, name: str) -> Path:
+        return tmp_path / name if name == "de.toml" else asset(folder, name)
+
+    monkeypatch.setattr(words, "asset", find)
     words.catalogue.cache_clear()
     try:
         assert [error.key for error in words.speak("de")] == ["form.cancel", "form.close"]
