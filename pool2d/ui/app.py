@@ -170,7 +170,8 @@ class App:
 
     def _keep(self, dt: float) -> None:
         """Keep what hands have changed in play, and write it once it has settled."""
-        self.store.turn("aiming.guide", GUIDES[self.play.level])
+        if GUIDES[self.play.level] != self.store.values.aiming.guide:
+            self.store.turn("aiming.guide", GUIDES[self.play.level])
         while text.failed:
             self.toast(say("window.font_failed", path=text.failed.pop()), wrong=True)
         self._unsaved += dt

@@ -11,7 +11,7 @@ from .field import TextField
 from .form import Form
 from .hud import Screen
 from .scene import Scene
-from .widgets import Button, Heading, Widget
+from .widgets import Button, Gap, Heading, Widget
 from .words import say
 
 
@@ -26,7 +26,7 @@ class Dialog:
     def __init__(self, below: Scene, title: str, rows: list[list[Widget]]) -> None:
         self.below = below
         self.done = False
-        self.form = Form([[Heading(lambda: title, theme.TEXT, large=True)], *rows])
+        self.form = Form([[Heading(lambda: title, theme.TEXT, large=True)], [Gap(0.3)], *rows])
 
     @property
     def typing(self) -> bool:

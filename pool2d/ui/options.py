@@ -174,14 +174,17 @@ class KeyRow(Widget):
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         size = unit * 7 // 4
         color = theme.ACCENT if focused or self.greedy else theme.TEXT
-        label = text.fitted(say(f"action.{self.action}"), size, self.rect.width * 2 // 5 - unit)
-        text.draw(surface, label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+        name = say(f"action.{self.action}")
         box = self.rect.inflate(0, -unit // 2)
-        box.width = self.rect.width * 3 // 5
+        if not self.told:
+            label = text.fitted(name, size, self.rect.width * 2 // 5 - unit)
+            text.draw(surface, label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+            box.width = self.rect.width * 3 // 5
         box.right = self.rect.right
         edge = theme.ACCENT if self.greedy else tone(hovered)
         plate(surface, box, face(self.pressed or self.greedy, hovered), unit, edge)
-        said = self.told or KEYS.shown(self.action)
+        # What is told while the row waits for a key takes all of it.
+        said = f"{name}: {self.told}" if self.told else KEYS.shown(self.action)
         tint = theme.ACCENT if self.told else theme.TEXT
         text.draw(surface, text.fitted(said, size, box.width - 2 * unit), size, tint, box.center, (0.5, 0.5))
 

@@ -224,7 +224,7 @@ class Tabs(Widget):
         width = self.rect.width / len(self.names)
         labels = [self.shown(name) for name in self.names]
         size = max(1, unit * 3 // 2)
-        while size > 1 and max(text.font(size).size(label)[0] for label in labels) > width - unit:
+        while size > 1 and max(text.font(size).size(label)[0] for label in labels) > width - unit // 2:
             size -= 1
         for i, name in enumerate(self.names):
             over = self.pointer is not None and hovered and 0 <= self.pointer[0] - self.rect.left - i * width < width

@@ -170,7 +170,7 @@ def test_pages_by_mouse(mine: Hand) -> None:
 def test_a_key_is_bound_anew_and_the_help_shows_it(mine: Hand, store: Store) -> None:
     scene = options(mine, "keys")
     click(mine, row(scene, "guide").rect.center)
-    assert "Press a key" in row(scene, "guide").told
+    assert "press a key" in row(scene, "guide").told
     mine.key(pygame.K_h)
     assert action_of(pygame.K_h, 0) == "guide"
     assert action_of(pygame.K_g, 0) is None
