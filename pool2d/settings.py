@@ -106,7 +106,7 @@ class Store:
         if self.changed and self.path is not None:
             # Tried once for each change, lest a full disk be complained of at every frame.
             self.changed = False
-            write_text(self.path, to_toml(self._data()))
+            write_text(self.path, to_toml(self._data()).lstrip("\n"))
 
     def _tell(self) -> None:
         self.changed = True
