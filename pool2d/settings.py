@@ -28,7 +28,7 @@ class Sound:
 
 @dataclass(frozen=True, slots=True)
 class Balls:
-    palette: str = words("classic", 40, "the balls' colours, by name")
+    palette: str = words("standard", 40, "the balls' colours, by name")
     patterned: bool = flag(False, "tell balls by a pattern as well as by colour")
     trails: bool = flag(False, "show where the balls have been")
 

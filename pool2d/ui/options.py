@@ -19,7 +19,7 @@ from .words import say
 KEYS_PAGE = "keys"
 PAGES = ("aiming", "balls", "sound", "screen", KEYS_PAGE)
 # The names that the ball art knows.
-PALETTES = ("classic", "colour-blind", "high contrast")
+PALETTES = ("standard", "colour-blind", "high contrast")
 # Settings that are texts, and what is offered for them.
 OFFERED: dict[str, Callable[[], Sequence[str]]] = {
     "balls.palette": lambda: PALETTES,
