@@ -7,15 +7,16 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from . import __version__
+from . import __version__, catalogue
 from .errors import BudgetError, InputError
 from .knobs import Knob, apply
-from .physics.rollout import Rollout
-from .preset import load_table, presets
-from .scenario import load_scenario
-from .table import Knobs
+
+# Tables and physics are read by the commands themselves: the window opens first.
+if TYPE_CHECKING:
+    from .physics.rollout import Rollout
+    from .table import Table
 
 _EVENTS = Knob(0, 1, 1e9, "events", "")
 # Points of all paths together that `--sample` writes.
@@ -49,13 +50,19 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _play(arguments: argparse.Namespace) -> int:
-    from .ui.app import play
+    from .ui.start import play
 
-    table = load_table(arguments.table, _overrides(arguments.set), _conditions(arguments))
+    def table() -> Table:
+        from .preset import load_table
+
+        return load_table(arguments.table, _overrides(arguments.set), _conditions(arguments))
+
     return play(table, seed=arguments.seed, frames=arguments.frames)
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
+    from .scenario import load_scenario
+
     overrides = _overrides(arguments.set)
     limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
@@ -72,6 +79,7 @@ def _simulate(arguments: argparse.Namespace) -> int:
 
 
 def _render(arguments: argparse.Namespace) -> int:
+    from .scenario import load_scenario
     from .ui.render import render
 
     width, _, height = arguments.size.partition("x")
@@ -115,7 +123,8 @@ def _parser() -> argparse.ArgumentParser:
         return sub
 
     play = command("play", _play, "Open a window and play (also without a command).")
-    play.add_argument("--table", default="pool-9ft", help=f"a preset ({', '.join(presets())}) or a .toml file")
+    known = ", ".join([*catalogue.shipped(catalogue.TABLES), *catalogue.own(catalogue.TABLES)])
+    play.add_argument("--table", default="pool-9ft", help=f"a preset ({known}) or a .toml file")
     play.add_argument("--seed", type=int, default=None, help="the first rack's seed; without it, a new one each time")
     play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
 
@@ -148,6 +157,8 @@ class _Parser(argparse.ArgumentParser):
 
 def _overrides(settings: list[str]) -> dict[str, Any]:
     """`--set NAME=VALUE` as knobs and values; raises InputError."""
+    from .table import Knobs
+
     overrides: dict[str, Any] = {}
     for setting in settings:
         name, sign, text = setting.partition("=")

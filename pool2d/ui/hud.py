@@ -9,7 +9,7 @@ from functools import cached_property
 import pygame
 
 from ..physics.strike import miscue_limit
-from . import pen, text, theme
+from . import pen, text, theme, words
 from .aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
 
 
@@ -103,8 +103,8 @@ def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: floa
     bar = screen.power
     radius = bar.height // 2
     y = screen.bottom.top + screen.unit * 2
-    text.draw(surface, f"{speed:.2f} m/s", screen.large, theme.TEXT, (bar.left, y))
-    angle = f"{aim.angle:.2f}\N{DEGREE SIGN}"
+    text.draw(surface, words.speed(speed), screen.large, theme.TEXT, (bar.left, y))
+    angle = words.number(aim.angle, ".2f") + "\N{DEGREE SIGN}"
     text.draw(surface, angle, screen.small, theme.QUIET, (bar.right, y + screen.large // 3), (1.0, 0.0))
     pygame.draw.rect(surface, theme.EDGE, bar, border_radius=radius)
     filled = bar.copy()

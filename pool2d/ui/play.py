@@ -77,7 +77,6 @@ class Play:
             "rack": self._rack,
             "tune": self._tune,
             "geometry": self._show_geometry,
-            "mute": self._mute,
             "cancel": self._cancel,
         }
 
@@ -230,11 +229,6 @@ class Play:
 
     def _show_geometry(self) -> None:
         self.geometry = not self.geometry
-
-    def _mute(self) -> None:
-        self.sounds.toggle_mute()
-        self.sounds.click()
-        self.message = "Sound is off. M turns it on again." if self.sounds.muted else "Sound is on."
 
     def _undo(self) -> None:
         self._drop()

@@ -97,9 +97,9 @@ class Sounds:
         """A control of the window was used."""
         self.play([Heard("click", 1.0, 0.5)])
 
-    def toggle_mute(self) -> None:
-        """Mute, at once, or sound again."""
-        self.muted = not self.muted
+    def mute(self, muted: bool) -> None:
+        """Be silent, at once, or sound again."""
+        self.muted = muted
         if self.muted and self._open:
             pygame.mixer.stop()
 

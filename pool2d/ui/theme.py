@@ -11,11 +11,15 @@ BACKGROUND = (13, 14, 16)
 PANEL = (16, 18, 20, 235)
 FACE = (30, 33, 35)
 FACE_LIT = (46, 50, 52)
+FACE_DOWN = (20, 22, 24)
+SELECTED = (92, 78, 52)
 VEIL = (6, 7, 8, 190)
 EDGE = (56, 58, 60)
 TEXT = (236, 232, 224)
 QUIET = (160, 158, 152)
 ACCENT = (214, 176, 106)
+ACCENT_LIT = (232, 200, 138)
+ACCENT_DOWN = (176, 142, 80)
 WARNING = (232, 122, 98)
 
 CLOTH = (32, 138, 116)
@@ -117,5 +121,5 @@ def rgb(color: str) -> tuple[int, int, int]:
 
 
 def unit(height: int) -> int:
-    """The grid's pitch, in pixels, for a window of this height: 8 at 720."""
-    return max(6, round(height / 90))
+    """The grid's pitch, in pixels, for a window of this height: 8 at 720. A tiny window has tiny letters."""
+    return max(1, round(height / 90))

@@ -133,12 +133,12 @@ def test_the_same_knock_is_not_always_the_same_sound(sounds: Sounds, clock: Cloc
 
 def test_mute_silences_at_once_and_until_it_is_taken_back(sounds: Sounds, clock: Clock) -> None:
     sounds.play([LOUD])
-    sounds.toggle_mute()
+    sounds.mute(True)
     assert not playing()
     sounds.play([LOUD])
     sounds.chalk()
     assert not playing()
-    sounds.toggle_mute()
+    sounds.mute(False)
     sounds.chalk()
     assert len(playing()) == 1
 
@@ -160,7 +160,7 @@ def test_before_it_is_prepared_all_is_silent() -> None:
     sounds.play([LOUD])
     sounds.click()
     sounds.chalk()
-    sounds.toggle_mute()
+    sounds.mute(True)
     sounds.close()
     assert pygame.mixer.get_init() is None
 
@@ -187,7 +187,7 @@ def test_a_pygame_without_a_mixer_is_silence(monkeypatch: pytest.MonkeyPatch) ->
     sounds = Sounds()
     assert not sounds.prepare()
     sounds.play([LOUD])
-    sounds.toggle_mute()
+    sounds.mute(True)
     sounds.close()
 
 
@@ -225,12 +225,12 @@ def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand, monkeypatch: pytest.M
     hand.key(pygame.K_SPACE)
     assert [sound.kind for sound in played] == ["cue"]
     hand.key(pygame.K_m)
-    assert hand.play.message.startswith("Sound is off")
+    assert hand.app.toasts.notes[-1].words.startswith("Sound is off")
     assert not playing()
     hand.wait_for_rest()
     assert not playing()
     hand.key(pygame.K_m)
-    assert hand.play.message == "Sound is on."
+    assert hand.app.toasts.notes[-1].words == "Sound is on."
     assert len(playing()) == 1
 
 
