@@ -37,10 +37,12 @@ class App:
         self.play = Play(Session(table, seed=seed))
         self.scene: Scene | None = self.play
         self._files = Watched(table)
+        self._came: list[pygame.event.Event] = []
 
     def step(self, dt: float) -> bool:
         """Take the waiting events, let `dt` seconds pass and draw; False when the player has quit."""
-        for event in pygame.event.get():
+        came, self._came = self._came, []
+        for event in [*came, *pygame.event.get()]:
             if event.type == pygame.QUIT:
                 self.scene = None
             elif not self._window(event) and self.scene is not None:
@@ -60,9 +62,20 @@ class App:
         dt = 0.0
         count = 0
         while (frames is None or count < frames) and self.step(dt):
+            if frames is None and self.scene is not None and self.scene.still:
+                self._rest()
+                clock.tick()
             # A long pause, such as a window being dragged, is not made up for.
             dt = min(clock.tick(_FPS) / 1000.0, 0.1)
             count += 1
+
+    def _rest(self) -> None:
+        """Do nothing until an event comes, or until the preset's file is to be looked at again."""
+        event = pygame.event.wait(round(1000 * _WATCH))
+        if event.type == pygame.NOEVENT:
+            self._watch(_WATCH)
+        else:
+            self._came.append(event)
 
     def close(self) -> None:
         pygame.display.quit()

@@ -22,6 +22,11 @@ class Dialog:
         self.done = False
         self.form = Form([[Heading(lambda: title, theme.TEXT, large=True)], *rows])
 
+    @property
+    def still(self) -> bool:
+        """No: a hint appears where the pointer has rested for a while."""
+        return False
+
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE:
             self.done = True

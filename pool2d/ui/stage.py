@@ -11,7 +11,9 @@ from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import Ball, Layout, Shot
 from ..table import Table
-from . import ball_art, guide, hud, pen, table_art, theme
+from . import ball_art, guide, hud, pen, theme
+from .backdrop import Backdrop
+from .camera import Camera
 from .tuning import Tuning
 from .view import View, fit
 
@@ -22,9 +24,9 @@ class Stage:
     def __init__(self, table: Table) -> None:
         self.table = table
         self.screen = hud.Screen(1280, 720)
-        self.view = self._fit()
-        self._background_key: Hashable = None
-        self._background = pygame.Surface((1, 1))
+        self.camera = Camera()
+        self._backdrop = Backdrop()
+        self._fit(0)
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
@@ -32,12 +34,13 @@ class Stage:
         """Take the window's present size, less `panel` pixels on the right, and draw the table."""
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
-        self.view = self._fit(panel)
-        key = (self.view, self.screen, table)
-        if key != self._background_key:
-            self._background_key = key
-            self._background = table_art.draw(table, surface.get_size(), self.view)
-        surface.blit(self._background, (0, 0))
+        self._fit(panel)
+        self._backdrop.draw(surface, table, self.camera.home, self.view)
+
+    @property
+    def view(self) -> View:
+        """Where the table is on the window at this moment."""
+        return self.camera.view
 
     def balls(self, surface: pygame.Surface, layout: Layout) -> None:
         """Draw every ball that is on the table."""
@@ -84,10 +87,11 @@ class Stage:
                 self._foreseen = None
         return self._foreseen
 
-    def _fit(self, panel: int = 0) -> View:
+    def _fit(self, panel: int) -> None:
         size = self.table.knobs.table
         left, top, width, height = self.screen.table
-        return fit(size.length, size.width, (left, top, max(1, width - panel), height))
+        area = (left, top, max(1, width - panel), height)
+        self.camera.fit(fit(size.length, size.width, area), (size.length, size.width), area)
 
     def _radius(self, ball: Ball) -> float:
         return self.table.body_of(ball)[0] * self.view.scale
