@@ -15,7 +15,7 @@ Pos = tuple[int, int]
 
 # The aim, once set by wheel or keys, stays until the pointer has moved this far, in pixels.
 _HOLD = 8.0
-# Nearer to the cue ball than this, in its radii, the aim turns no faster than the pointer would turn it from there.
+# Nearer to the cue ball than this, in its radii, the aim is calmed.
 _CALM = 6.0
 
 
@@ -65,8 +65,9 @@ class Hands:
     def point(self, pos: Pos, view: View, cue: Ball, radius: float) -> None:
         """Aim through the pointer, unless a fine aim is held or the pointer is on the ball itself.
 
-        Close to the ball a small movement means a large angle, so there the aim only goes toward the pointer:
-        by no more than the same movement would turn it from a few radii off. Farther out it is where it points.
+        Close to the ball a small movement means a large angle, so there the aim only goes toward the pointer: right
+        beside the ball by no more than the same movement would turn it from a few radii off, and the freer the
+        farther out.
         """
         if self.hold is not None and math.dist(pos, self.hold) < _HOLD:
             return
@@ -76,7 +77,9 @@ class Hands:
         moved = math.dist((dx, dy), self._pointed) if self._pointed is not None else math.inf
         self._pointed = dx, dy
         if math.hypot(dx, dy) > radius:
-            limit = math.degrees(moved / (_CALM * radius))
+            # How far out of the calm the pointer is; from 1 on it is free.
+            out = math.hypot(dx, dy) / (_CALM * radius)
+            limit = math.degrees(moved / (_CALM * radius)) / (1.0 - out) if out < 1.0 else math.inf
             turn = math.remainder(math.degrees(math.atan2(dy, dx)) - self.aim.angle, 360.0)
             self.aim = self.aim.toward(dx, dy) if abs(turn) <= limit else self.aim.turned(math.copysign(limit, turn))
 

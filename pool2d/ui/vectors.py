@@ -49,8 +49,8 @@ def draw_cue(surface: pygame.Surface, ball: Ball, shot: Shot, table: Table, view
     _arrow(surface, CUE, tip, shot.speed * cos, shot.speed * sin, radius, view, 1.6)
 
 
-def draw_legend(surface: pygame.Surface, screen: Screen) -> None:
-    """Say what the colours mean, above the lower bar in the margin on the left."""
+def draw_legend(surface: pygame.Surface, screen: Screen) -> pygame.Rect:
+    """Say what the colours mean, above the lower bar in the margin on the left; returns its place."""
     unit, size = screen.unit, screen.small
     pitch = text.font(size).get_linesize()
     width = max(text.font(size).size(words)[0] for _, words in LEGEND) + 4 * unit
@@ -60,7 +60,7 @@ def draw_legend(surface: pygame.Surface, screen: Screen) -> None:
         y = unit / 2 + (i + 0.5) * pitch
         pen.line(plate, color, (unit, y), (unit * 5 / 2, y), unit / 4)
         text.draw(plate, words, size, theme.TEXT, (unit * 13 / 4, y), (0.0, 0.5))
-    surface.blit(plate, (unit // 2, screen.bottom.top - plate.get_height() - unit))
+    return surface.blit(plate, (unit // 2, screen.bottom.top - plate.get_height() - unit))
 
 
 def _arrow(
