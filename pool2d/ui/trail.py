@@ -10,31 +10,42 @@ import pygame
 from ..physics.rollout import Rollout
 from ..physics.values import POCKETED
 from ..table import Table
-from .pen import Point
 from .view import View
 
-# How far back a trail goes, s, and in how many steps it is drawn.
+# How far back a trail goes, s; in how many steps it is drawn at most, and how long they are at least, m.
 LENGTH = 0.3
 _STEPS = 12
-# Its colour, and how strong it is at the ball: in the middle, and toward its edges.
+_STEP = 0.06
+# Its colour, how strong it is at the ball, and how wide there, in radii.
 _COLOR = (236, 244, 238)
-_STRENGTH = (26, 54)
+_STRENGTH = 54
+_WIDTH = 0.75
+# A turn sharper than this (its cosine) is rounded on the outside.
+_SHARP = 0.97
+
+Trace = list[tuple[float, float, float]]
 
 
-def tail(rollout: Rollout, ball: str, t: float) -> list[tuple[float, float, float]]:
+def tail(rollout: Rollout, ball: str, t: float) -> Trace:
     """Where a ball was in the last LENGTH s before `t`, as (time, x, y) from then to now; every turn is a point.
 
-    Empty for a ball that was at rest, or is off the table.
+    Empty for a ball that did not move, or is off the table.
     """
     track = rollout.tracks.get(ball, ())
     start, end = max(0.0, t - LENGTH), min(max(t, 0.0), rollout.duration)
-    if len(track) < 2 or end <= start or rollout.ball_at(ball, end).phase == POCKETED:
+    now = rollout.ball_at(ball, end)
+    if len(track) < 2 or end <= start or now.phase == POCKETED:
         return []
-    times = {start + (end - start) * step / _STEPS for step in range(_STEPS + 1)}
-    times.update(motion.t0 for motion in track if start < motion.t0 < end)
-    balls = [(moment, rollout.ball_at(ball, moment)) for moment in sorted(times)]
-    points = [(moment, at.x, at.y) for moment, at in balls]
-    return points if any(math.dist(a[1:], b[1:]) > 1e-5 for a, b in pairwise(points)) else []
+    turns = [motion.t0 for motion in track if start < motion.t0 < end]
+    then = rollout.ball_at(ball, start)
+    if not turns and (then.x, then.y) == (now.x, now.y):
+        return []
+    speed = max(math.hypot(then.vx, then.vy), math.hypot(now.vx, now.vy))
+    steps = min(max(round(speed * (end - start) / _STEP), 2), _STEPS)
+    balls = ((at, rollout.ball_at(ball, at)) for i in range(1, steps) for at in [start + (end - start) * i / steps])
+    met = ((at, rollout.ball_at(ball, at)) for at in turns)
+    points = sorted((at, there.x, there.y) for at, there in (*balls, *met))
+    return [(start, then.x, then.y), *points, (end, now.x, now.y)]
 
 
 def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view: View) -> None:
@@ -42,37 +53,34 @@ def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view
     for ball_id, ball in rollout.start.items():
         points = tail(rollout, ball_id, t)
         if points:
-            radius = table.body_of(ball)[0] * view.scale
-            _ribbon(surface, [(1.0 - (t - then) / LENGTH, view.to_screen(x, y)) for then, x, y in points], radius)
+            radius = _WIDTH * table.body_of(ball)[0] * view.scale
+            _ribbon(surface, [(1.0 - (t - then) / LENGTH, *view.to_screen(x, y)) for then, x, y in points], radius)
 
 
-def _ribbon(surface: pygame.Surface, points: list[tuple[float, Point]], radius: float) -> None:
-    """A band through points, each with its freshness from 0 to 1: narrow and faint where it is old."""
-    xs, ys = [p[0] for _, p in points], [p[1] for _, p in points]
-    box = pygame.Rect(math.floor(min(xs)), math.floor(min(ys)), 0, 0)
-    box.width, box.height = math.ceil(max(xs)) - box.left, math.ceil(max(ys)) - box.top
-    box = box.inflate(2 * radius + 4, 2 * radius + 4).clip(surface.get_rect())
+def _ribbon(surface: pygame.Surface, points: Trace, radius: float) -> None:
+    """A band through points (freshness from 0 to 1, x, y): narrow and faint where it is old."""
+    xs, ys = [x for _, x, _ in points], [y for _, _, y in points]
+    left, top = math.floor(min(xs) - radius) - 1, math.floor(min(ys) - radius) - 1
+    box = pygame.Rect(left, top, math.ceil(max(xs) + radius) + 1 - left, math.ceil(max(ys) + radius) + 1 - top)
+    box = box.clip(surface.get_rect())
     if not box:
         return
-    layer = pygame.Surface(box.size, pygame.SRCALPHA)
     # Drawn, not blended, on a layer of its own, the pieces do not add up where they meet.
-    for strength, part in zip(_STRENGTH, (0.9, 0.55), strict=True):
-        for (old, a), (new, b) in pairwise(points):
-            color = (*_COLOR, round(strength * (0.5 * (old + new)) ** 1.5))
-            _piece(layer, color, (a[0] - box.left, a[1] - box.top), (b[0] - box.left, b[1] - box.top),
-                   part * radius * (0.25 + 0.75 * old), part * radius * (0.25 + 0.75 * new))  # fmt: skip
+    layer = pygame.Surface(box.size, pygame.SRCALPHA)
+    ux = uy = 0.0
+    for (old, ax, ay), (new, bx, by) in pairwise(points):
+        length = math.hypot(bx - ax, by - ay)
+        if length < 0.5:
+            continue
+        color = (*_COLOR, round(_STRENGTH * (0.5 * (old + new)) ** 1.5))
+        a, b = (ax - box.left, ay - box.top), (bx - box.left, by - box.top)
+        start, end = radius * (0.25 + 0.75 * old), radius * (0.25 + 0.75 * new)
+        turned = ux * (bx - ax) + uy * (by - ay) < _SHARP * length
+        ux, uy = (bx - ax) / length, (by - ay) / length
+        if turned and start >= 2.0:
+            pygame.draw.circle(layer, color, a, start)
+        pygame.draw.polygon(layer, color, [
+            (a[0] + uy * start, a[1] - ux * start), (b[0] + uy * end, b[1] - ux * end),
+            (b[0] - uy * end, b[1] + ux * end), (a[0] - uy * start, a[1] + ux * start),
+        ])  # fmt: skip
     surface.blit(layer, box)
-
-
-def _piece(layer: pygame.Surface, color: tuple[int, int, int, int], a: Point, b: Point, wa: float, wb: float) -> None:
-    """A band from a to b with a half width at each end."""
-    length = math.dist(a, b)
-    if length < 1e-3:
-        return
-    nx, ny = (b[1] - a[1]) / length, (a[0] - b[0]) / length
-    corners = [(a[0] + nx * wa, a[1] + ny * wa), (b[0] + nx * wb, b[1] + ny * wb),
-               (b[0] - nx * wb, b[1] - ny * wb), (a[0] - nx * wa, a[1] - ny * wa)]  # fmt: skip
-    pygame.draw.polygon(layer, color, corners)
-    if wb >= 2.0:
-        # Rounds the outside of a turn.
-        pygame.draw.circle(layer, color, b, wb)
