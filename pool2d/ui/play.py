@@ -112,6 +112,7 @@ class Play:
         elif event.type == pygame.WINDOWFOCUSLOST:
             self._fast_forward(False)
             self.stage.camera.let_go()
+            self.timeline.let_go()
             self._put_down()
         return self
 
@@ -198,15 +199,9 @@ class Play:
         except (InputError, BudgetError) as error:
             self.message = str(error)
             return
-        self.playback = Playback(rollout, shot, self._lead(drawn))
+        self.playback = Playback(rollout, shot, stroke.lead(drawn, self.effects))
         missed = any(event.where == "miscue" for event in rollout.events)
         self.message = "Miscue: the tip slipped off the ball." if missed else ""
-
-    def _lead(self, drawn: bool) -> float:
-        """How long before the contact a shot is shown, s: the time of the stroke."""
-        if not self.effects.stroke:
-            return 0.0
-        return stroke.FORWARD if drawn else stroke.BACK + stroke.FORWARD
 
     def _replay(self) -> None:
         last = self.session.rollout
@@ -214,8 +209,8 @@ class Play:
             self.message = "There is no shot to see again."
         elif self.playback is None:
             self.hands.put_down()
-            self.playback = Playback(last, self.session.position.shot, self._lead(False), again=True)
-            self.timeline.hover = self.hands.pointer
+            self.playback = Playback(last, self.session.position.shot, stroke.lead(False, self.effects), again=True)
+            self.timeline.begin(self.hands.pointer)
             self.message = ""
 
     def _pause(self) -> None:
@@ -223,7 +218,7 @@ class Play:
         if self.playback is None:
             self._replay()
         if self.playback is not None:
-            self.timeline.hover = self.hands.pointer
+            self.timeline.begin(self.hands.pointer)
             self.playback.pause()
 
     def _tune(self) -> None:

@@ -8,6 +8,7 @@ from ..physics.values import Ball, Shot
 from ..table import Table
 from . import cue_art
 from .aim import Aim, drawn_back
+from .effects import Effects
 from .view import View
 
 # How far the cue stands back from the ball at rest, at full pull and after the stroke, m.
@@ -21,6 +22,13 @@ _FOLLOW, _FADE = 0.09, 0.22
 def stand(drawn: float) -> float:
     """How far the cue stands back from the ball, m, drawn back by a part of a full pull."""
     return REST + (FULL - REST) * drawn
+
+
+def lead(drawn: bool, effects: Effects) -> float:
+    """How long before the contact a shot is shown, s; `drawn` where a hand has drawn the cue back already."""
+    if not effects.stroke:
+        return 0.0
+    return FORWARD if drawn else BACK + FORWARD
 
 
 def reach(drawn: float, t: float) -> tuple[float, float]:

@@ -97,6 +97,15 @@ class Timeline:
 
     # Hands.
 
+    def begin(self, pointer: Pos | None) -> None:
+        """The time line comes out, with the pointer where it is."""
+        self.hover = pointer
+        self.let_go()
+
+    def let_go(self) -> None:
+        """Forget a drag."""
+        self._scrubbing = False
+
     def handle(self, event: pygame.event.Event, shown: Playback) -> bool:
         """Take an event that is meant for the time line; False for any other."""
         if event.type == pygame.KEYDOWN:

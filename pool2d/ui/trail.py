@@ -41,7 +41,7 @@ def tail(rollout: Rollout, ball: str, t: float) -> Trace:
     if not turns and (then.x, then.y) == (now.x, now.y):
         return []
     speed = max(math.hypot(then.vx, then.vy), math.hypot(now.vx, now.vy))
-    steps = min(max(round(speed * (end - start) / _STEP), 2), _STEPS)
+    steps = min(max(round(speed * (end - start) / _STEP), 4), _STEPS)
     balls = ((at, rollout.ball_at(ball, at)) for i in range(1, steps) for at in [start + (end - start) * i / steps])
     met = ((at, rollout.ball_at(ball, at)) for at in turns)
     points = sorted((at, there.x, there.y) for at, there in (*balls, *met))

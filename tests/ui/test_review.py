@@ -144,6 +144,23 @@ def test_the_line_is_dragged_with_the_mouse(hand: Hand) -> None:
     assert playback.time == pytest.approx(playback.rollout.duration / 2 - 0.02, rel=0.01)
 
 
+@pytest.mark.parametrize("way", ["the window is lost", "the time line is left"])
+def test_a_drag_ends_with_what_it_was_on(hand: Hand, way: str) -> None:
+    playback = played(hand)
+    line = hand.play.timeline.track
+    hand.move(line.center)
+    hand.press()
+    if way == "the window is lost":
+        hand.post(pygame.WINDOWFOCUSLOST)
+    else:
+        hand.key(pygame.K_ESCAPE)
+        hand.key(pygame.K_p)
+        playback = shown(hand)
+    before = playback.time
+    hand.move((line.left + 50, line.centery))
+    assert playback.time == before
+
+
 def test_every_button_does_what_its_key_does(hand: Hand) -> None:
     playback = played(hand)
     line = hand.play.timeline
