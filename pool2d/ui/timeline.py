@@ -212,8 +212,9 @@ class Timeline:
         place = text.draw(surface, clock, size, theme.TEXT, (right, y), (1.0, 0.0))
         button = self._under_pointer()
         if button:
-            text.draw(surface, _HINTS[button], size, theme.QUIET, (left, y))
-        if button or event is None:
+            hint = text.draw(surface, _HINTS[button], size, theme.QUIET, (right, y + pitch), (1.0, 0.0))
+            right = hint.left - 2 * unit
+        if event is None:
             return
         color = COLORS.get(event.kind, theme.TEXT)
         title = text.fitted(telling.title(event), size, place.left - left - 2 * unit)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from itertools import pairwise
+from operator import attrgetter
 
 import pygame
 
 from ..physics.rollout import Rollout
-from ..physics.values import POCKETED
+from ..physics.values import POCKETED, RESTING, SPINNING
 from ..table import Table
 from .view import View
 
@@ -23,6 +25,8 @@ _WIDTH = 0.75
 # A turn sharper than this (its cosine) is rounded on the outside.
 _SHARP = 0.97
 
+_BEGIN = attrgetter("t0")
+
 Trace = list[tuple[float, float, float]]
 
 
@@ -33,15 +37,15 @@ def tail(rollout: Rollout, ball: str, t: float) -> Trace:
     """
     track = rollout.tracks.get(ball, ())
     start, end = max(0.0, t - LENGTH), min(max(t, 0.0), rollout.duration)
-    now = rollout.ball_at(ball, end)
-    if len(track) < 2 or end <= start or now.phase == POCKETED:
+    if len(track) < 2 or end <= start:
         return []
-    turns = [motion.t0 for motion in track if start < motion.t0 < end]
-    then = rollout.ball_at(ball, start)
-    if not turns and (then.x, then.y) == (now.x, now.y):
+    first, last = bisect_right(track, start, key=_BEGIN), bisect_right(track, end, key=_BEGIN)
+    if track[last - 1].phase == POCKETED or (first == last and track[last - 1].phase in (RESTING, SPINNING)):
         return []
+    turns = [motion.t0 for motion in track[first:last]]
+    then, now = rollout.ball_at(ball, start), rollout.ball_at(ball, end)
     speed = max(math.hypot(then.vx, then.vy), math.hypot(now.vx, now.vy))
-    steps = min(max(round(speed * (end - start) / _STEP), 4), _STEPS)
+    steps = min(max(round(speed * (end - start) / _STEP), 3), _STEPS)
     balls = ((at, rollout.ball_at(ball, at)) for i in range(1, steps) for at in [start + (end - start) * i / steps])
     met = ((at, rollout.ball_at(ball, at)) for at in turns)
     points = sorted((at, there.x, there.y) for at, there in (*balls, *met))

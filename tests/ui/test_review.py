@@ -207,11 +207,13 @@ def test_the_time_line_stays_in_the_lower_bar(
         return drawn[-1]
 
     monkeypatch.setattr(text, "draw", spy)
+    hand.move(line.button("forth").center)
     for _ in playback.rollout.events:
-        hand.key(pygame.K_RIGHT)
+        hand.press()
+        hand.release()
         drawn.clear()
         line.draw(hand.app.surface, playback, hand.play.session.table)
-        assert len(drawn) >= 5
+        assert len(drawn) == 6, "the rate, the clock, what the button does, the event with its numbers and balls"
         assert all(bar.contains(box) for box in drawn)
         assert all(not a.colliderect(b) for i, a in enumerate(drawn) for b in drawn[:i])
 
