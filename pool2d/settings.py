@@ -30,7 +30,7 @@ class Sound:
 class Balls:
     palette: str = words("standard", 40, "the balls' colours, by name")
     patterned: bool = flag(False, "tell balls by a pattern as well as by colour")
-    trails: bool = flag(False, "show where the balls have been")
+    trails: bool = flag(True, "show where the balls have been")
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from ..settings import GUIDES, Store
 from ..table import Table
 from . import text, theme, words
 from .dialog import Dialog
+from .effects import Effects
 from .keys import KEYS, action_of
 from .options import Options
 from .play import Play
@@ -56,6 +57,7 @@ class App:
         self.scene: Scene | None = self.play
         self.toasts = Toasts()
         self._files = Watched(table)
+        self._came: list[pygame.event.Event] = []
         self._unsaved = 0.0
         self.store.listeners.append(self._apply)
         self._apply()
@@ -69,7 +71,8 @@ class App:
 
     def step(self, dt: float) -> bool:
         """Take the waiting events, let `dt` seconds pass and draw; False when the player has quit."""
-        for event in pygame.event.get():
+        came, self._came = self._came, []
+        for event in [*came, *pygame.event.get()]:
             if event.type == pygame.QUIT:
                 self.scene = None
             elif not self._window(event) and self.scene is not None:
@@ -90,15 +93,30 @@ class App:
     def run(self, frames: int | None = None) -> None:
         """Play until the player quits, or for a number of frames."""
         clock = pygame.time.Clock()
-        dt = 0.0
-        count = 0
+        dt, count, preparing = 0.0, 0, True
         while (frames is None or count < frames) and self.step(dt):
+            if frames is None and not preparing and self._still:
+                self._rest()
+                clock.tick()
             # A long pause, such as a window being dragged, is not made up for.
             dt = min(clock.tick(_FPS) / 1000.0, 0.1)
             count += 1
-            if count > 1:
-                # Between frames, and after the first: to open a device may take a moment.
-                self.sounds.prepare()
+            # Between frames, and after the first: to open a device may take a moment.
+            preparing = count < 2 or self.sounds.prepare()
+
+    @property
+    def _still(self) -> bool:
+        """Whether the next frame would be as this one, unless an event comes."""
+        return self.scene is not None and self.scene.still and not self.toasts.notes
+
+    def _rest(self) -> None:
+        """Do nothing until an event comes, or until the files are to be looked at again."""
+        event = pygame.event.wait(round(1000 * _WATCH))
+        if event.type == pygame.NOEVENT:
+            self._watch(_WATCH)
+            self._keep(_WATCH)
+        else:
+            self._came.append(event)
 
     def close(self) -> None:
         self._save()
@@ -168,6 +186,7 @@ class App:
         self.toasts.still = values.screen.reduced_motion
         self.play.level = GUIDES.index(values.aiming.guide)
         palette = theme.PALETTES.get(values.balls.palette, theme.STANDARD)
+        self.play.effects = Effects(values.balls.trails, values.screen.reduced_motion)
         self.play.stage.style = theme.Style(palette, values.balls.patterned)
         self.sounds.volume = values.sound.volume
         self.sounds.mute(values.sound.mute)

@@ -34,6 +34,11 @@ class Dialog:
         focus = self.form.focus
         return focus is not None and (focus.greedy or isinstance(focus, TextField))
 
+    @property
+    def still(self) -> bool:
+        """No: a hint appears where the pointer has rested for a while."""
+        return False
+
     def handle(self, event: pygame.event.Event) -> Scene | None:
         greedy = self.form.focus is not None and self.form.focus.greedy
         if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and not greedy:

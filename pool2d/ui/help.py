@@ -19,6 +19,10 @@ class Help:
     def __init__(self, below: Scene) -> None:
         self.below = below
 
+    @property
+    def still(self) -> bool:
+        return True
+
     def handle(self, event: pygame.event.Event) -> Scene | None:
         return self.below if event.type in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN) else self
 

@@ -21,8 +21,13 @@ class Screen:
     height: int
 
     @cached_property
+    def measure(self) -> int:
+        """The height, or of a narrow window what it would be at 16 to 9, in pixels."""
+        return min(self.height, self.width * 9 // 16)
+
+    @cached_property
     def unit(self) -> int:
-        return theme.unit(min(self.height, self.width * 9 // 16))
+        return theme.unit(self.measure)
 
     @property
     def small(self) -> int:

@@ -26,12 +26,21 @@ DEFAULTS: dict[str, tuple[int, ...]] = {
     "lower": (pygame.K_q,),
     "raise": (pygame.K_e,),
     "guide": (pygame.K_g,),
+    "vectors": (pygame.K_v,),
     "fast": (pygame.K_TAB,),
     "replay": (pygame.K_r,),
+    "pause": (pygame.K_p,),
     "undo": (pygame.K_u, CTRL + pygame.K_z),
     "rack": (pygame.K_n,),
     "tune": (pygame.K_t,),
     "geometry": (pygame.K_b,),
+    "nearer": (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS),
+    "farther": (pygame.K_MINUS, pygame.K_KP_MINUS),
+    "look_up": (pygame.K_i,),
+    "look_left": (pygame.K_j,),
+    "look_down": (pygame.K_k,),
+    "look_right": (pygame.K_l,),
+    "whole_table": (pygame.K_0, pygame.K_KP0),
     "mute": (pygame.K_m,),
     "options": (pygame.K_o,),
     "fullscreen": (pygame.K_f, pygame.K_F11),
@@ -47,9 +56,11 @@ TOGETHER = (
     ("harder", "softer"),
     ("spin_up", "spin_left", "spin_down", "spin_right"),
     ("lower", "raise"),
+    ("nearer", "farther"),
+    ("look_up", "look_left", "look_down", "look_right"),
 )
 HELD = ("fast",)
-HANDS = ("move", "pull", "ease", "wheel", "ball", "cue", "place")
+HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "ball", "cue", "place")
 
 # What goes back and what only changes other keys cannot be bound; nor can going back be bound to another key.
 FIXED = ("cancel",)

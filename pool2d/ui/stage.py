@@ -18,6 +18,7 @@ from ..racks import Look
 from ..table import Table
 from . import ball_art, guide, hud, pen, theme, tray
 from .background import Background
+from .camera import Camera
 from .tuning import Tuning
 from .view import View, fit
 
@@ -31,8 +32,9 @@ class Stage:
         self.keeper = Keeper()
         self._down: list[str] = []
         self.screen = hud.Screen(1280, 720)
-        self.view = self._fit()
+        self.camera = Camera()
         self._background = Background()
+        self._fit(0)
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
@@ -40,8 +42,18 @@ class Stage:
         """Take the window's present size, less `panel` pixels on the right, and draw the table."""
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
-        self.view = self._fit(panel)
-        self._background.show(surface, table, self.view)
+        self._fit(panel)
+        self._background.show(surface, table, self.camera.home, self.view)
+
+    @property
+    def view(self) -> View:
+        """Where the table is on the window at this moment."""
+        return self.camera.view
+
+    @property
+    def still(self) -> bool:
+        """Whether the camera rests and the table's picture is drawn in full."""
+        return self.camera.settled and self._background.settled
 
     def balls(
         self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf
@@ -107,10 +119,11 @@ class Stage:
                 self._foreseen = None
         return self._foreseen
 
-    def _fit(self, panel: int = 0) -> View:
+    def _fit(self, panel: int) -> None:
         size = self.table.knobs.table
         left, top, width, height = self.screen.table
-        return fit(size.length, size.width, (left, top, max(1, width - panel), height))
+        area = (left, top, max(1, width - panel), height)
+        self.camera.fit(fit(size.length, size.width, area), (size.length, size.width), area)
 
     def _look(self, ball: str) -> Look:
         return self.table.furniture.looks.get(ball) or ball_art.usual(ball)

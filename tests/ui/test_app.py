@@ -82,6 +82,37 @@ def test_a_word_wider_than_the_room_is_broken() -> None:
     assert all(text.font(14).size(line)[0] <= 300 for line in lines)
 
 
+def test_a_window_at_rest_waits_and_takes_what_it_waited_for(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    while hand.app.sounds.prepare():
+        pass
+    angle = hand.play.hands.aim.angle
+    waits = iter([
+        pygame.event.Event(pygame.NOEVENT),
+        pygame.event.Event(pygame.KEYDOWN, key=pygame.K_LEFT, mod=0, unicode=""),
+        pygame.event.Event(pygame.QUIT),
+    ])  # fmt: skip
+    frames: list[pygame.Surface] = []
+    monkeypatch.setattr(hand.play, "draw", frames.append)
+    monkeypatch.setattr(pygame.event, "wait", lambda timeout: next(waits))
+    hand.app.run()
+    assert hand.play.hands.aim.angle == pytest.approx((angle + 0.05) % 360.0)
+    assert len(frames) == 5, "three at first, one for the file it looked at, one for the key"
+
+
+def test_a_window_where_balls_run_does_not_wait(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    hand.key(pygame.K_SPACE)
+
+    def fail(timeout: int) -> None:
+        raise AssertionError("waited")
+
+    monkeypatch.setattr(pygame.event, "wait", fail)
+    steps = iter([True] * 5 + [False])
+    step = hand.app.step
+    monkeypatch.setattr(hand.app, "step", lambda dt: step(dt) and next(steps))
+    hand.app.run()
+    assert hand.play.playback is not None
+
+
 def test_full_screen_and_back(hand: Hand) -> None:
     hand.key(pygame.K_F11)
     assert hand.app.surface.get_flags() & pygame.FULLSCREEN

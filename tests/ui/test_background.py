@@ -32,7 +32,7 @@ def shown(background: Background, width: int, table: Table = TABLE) -> tuple[pyg
     """A frame of a window of that width, and its view."""
     surface = pygame.Surface((width, width * 9 // 16))
     view = fit(1.83, 0.915, (0, 0, *surface.get_size()))
-    background.show(surface, table, view)
+    background.show(surface, table, view, view)
     return surface, view
 
 
@@ -73,3 +73,18 @@ def test_what_does_not_show_changes_no_picture(drawn: list[tuple[int, int]]) -> 
     second, _ = shown(background, 320, TABLE.with_knobs({"cloth.mu_roll": 0.02}))
     assert drawn == [(320, 180)]
     assert pygame.image.tobytes(first, "RGB") == pygame.image.tobytes(second, "RGB")
+
+
+def test_from_nearer_it_is_cut_out_of_a_larger_picture(drawn: list[tuple[int, int]]) -> None:
+    background = Background()
+    _, home = shown(background, 480)
+    surface = pygame.Surface((480, 270))
+    for scale in (1.5, 2.0, 3.0):
+        near = View(home.scale * scale, 240.0 - 0.9 * home.scale * scale, 135.0 + 0.45 * home.scale * scale)
+        background.show(surface, TABLE, home, near)
+        pocket = max(TABLE.geometry.pockets, key=lambda hole: -abs(hole.x - 0.9))
+        x, y = near.to_screen(pocket.x, pocket.y)
+        if surface.get_rect().collidepoint(x, y):
+            assert max(surface.get_at((round(x), round(y)))[:3]) < 40
+        assert surface.get_at((240, 135))[2] > 100
+    assert drawn == [(480, 270), (960, 540)]

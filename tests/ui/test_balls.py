@@ -14,6 +14,7 @@ from pool2d.game.falls import DROP
 from pool2d.physics.turning import FACING, Quaternion, turn
 from pool2d.racks import Look
 from pool2d.ui import ball_art, ball_marks, theme
+from pool2d.ui.playback import Playback
 from pool2d.ui.theme import PALETTES, Palette, Style
 
 from .conftest import Hand
@@ -179,13 +180,13 @@ def test_a_ball_falls_in_sight_and_lies_in_the_tray(hand: Hand) -> None:
     hand.app.step(0.0)
     dark = near_hole()
     hand.key(pygame.K_SPACE)
-    assert play.rollout is not None
-    drop = next(event.t for event in play.rollout.events if event.kind == "ball_pocket")
-    play.time = drop + 0.4 * DROP
+    assert play.playback is not None
+    drop = next(event.t for event in play.playback.rollout.events if event.kind == "ball_pocket")
+    play.playback.time = drop + 0.4 * DROP
     hand.app.step(0.0)
     assert near_hole() > dark + 60.0
     assert not in_tray()
-    play.time = drop + DROP
+    play.playback.time = drop + DROP
     hand.app.step(0.0)
     assert near_hole() < dark + 20.0
     assert in_tray()
@@ -199,16 +200,17 @@ def test_a_ball_falls_in_sight_and_lies_in_the_tray(hand: Hand) -> None:
 def test_the_last_ball_is_seen_to_its_end(hand: Hand) -> None:
     play = hand.play
     last = Layout([Ball("cue", 0.5, 0.5), Ball("1", 0.1, 0.1, vx=-0.5, vy=-0.5)])
-    play.rollout = rollout = simulate(play.session.table, last)
+    rollout = simulate(play.session.table, last)
     assert rollout.events[-1].kind == "ball_pocket"
-    play.time = rollout.duration
+    play.playback = Playback(rollout, None)
+    play.playback.time = rollout.duration
     hand.app.step(0.5 * DROP)
-    assert play.rollout is not None
+    assert play.playback is not None
     hand.app.step(0.6 * DROP)
-    assert play.rollout is None
-    play.rollout, play.time = rollout, 0.0
+    assert play.playback is None
+    play.playback = Playback(rollout, None)
     hand.key(pygame.K_SPACE)
-    assert play.rollout is None
+    assert play.playback is None
 
 
 def test_a_resting_table_looks_the_same_frame_after_frame(hand: Hand) -> None:

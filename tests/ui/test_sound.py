@@ -19,7 +19,7 @@ from pool2d.ui import synth
 from pool2d.ui.heard import Heard
 from pool2d.ui.sound import Sounds, loudness, pan
 
-from .conftest import Hand
+from .conftest import FRAME, Hand
 
 ROOT = Path(__file__).parents[2]
 LOUD, SOFT = Heard("ball", 8.0, 0.5), Heard("cushion", 0.3, 0.5)
@@ -223,6 +223,9 @@ def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand, monkeypatch: pytest.M
         pass
     hand.point(1.905, 0.635)
     hand.key(pygame.K_SPACE)
+    for _ in range(16):
+        # The cue comes forward first.
+        hand.app.step(FRAME)
     assert [sound.kind for sound in played] == ["cue"]
     hand.key(pygame.K_m)
     assert hand.app.toasts.notes[-1].words.startswith("Sound is off")
