@@ -7,6 +7,8 @@ import pytest
 from pool2d import Ball, Layout, Shot, load_table, simulate
 from pool2d.game.report import BALL, POCKET, RAIL, Call, Contact, Report, read
 
+from .rules.notation import report
+
 TABLE = load_table("pool-9ft")
 RADIUS = TABLE.knobs.ball.radius
 REACH = TABLE.reach(RADIUS)
@@ -36,7 +38,23 @@ def test_a_ball_that_falls_names_its_pocket() -> None:
 def test_a_call_holds_where_ball_and_pocket_agree() -> None:
     roll = simulate(TABLE, Layout([Ball("cue", 2.2, 0.95), Ball("1", 2.4, 1.14)]), Shot(angle=43.5, speed=2.0))
     calls = {pocket: read(TABLE, roll, Call("1", pocket)).called() for pocket in ("top-right", "top-left")}
-    assert calls == {"top-right": True, "top-left": False}
+    assert calls == {"top-right": "1", "top-left": ""}
+
+
+@pytest.mark.parametrize(
+    ("contacts", "called"),
+    [
+        ("cue-1 1>top-left", "1"),
+        ("cue-1 1|top-left_jaw 1>top-left", "1"),
+        ("cue|right cue-1 1>top-left", ""),
+        ("cue-1 1|right 1>top-left", ""),
+        ("cue-1 1-2 2>top-left", ""),
+        ("cue-1 1-2 1>top-left", ""),
+    ],
+)
+def test_an_obvious_shot_needs_no_call(contacts: str, called: str) -> None:
+    """WPA 1.7: banks, kicks, caroms and combinations are not obvious."""
+    assert report(contacts).called() == called
 
 
 def test_a_scratch_is_not_among_the_pots() -> None:
@@ -113,12 +131,18 @@ def test_the_kitchen(x: float, angle: float, kitchen: bool) -> None:
 def test_a_cue_ball_that_crossed_the_head_string_may_come_back() -> None:
     report = seen(Ball("cue", 0.6, 0.9), Ball("1", 0.4, 0.9), angle=0.0, speed=5.0)
     assert report.first == ("1",)
-    assert not report.kitchen
+    assert (report.kitchen, report.stayed) == (False, False)
 
 
-def test_balls_over_the_middle_of_the_table() -> None:
-    report = seen(Ball("cue", 0.5, 0.635), Ball("1", 1.0, 0.635), Ball("2", 2.0, 0.2), angle=0.0, speed=2.0)
-    assert report.passed == ("1",)
+@pytest.mark.parametrize(("x", "angle", "stayed"), [(0.3, 180.0, True), (0.66, 0.0, False)])
+def test_a_cue_ball_that_stays_in_the_kitchen(x: float, angle: float, stayed: bool) -> None:
+    """WPA 3.11: it has to leave, or to meet a ball beyond the line."""
+    assert seen(Ball("cue", 0.5, 0.3), Ball("1", x, 0.3), angle=angle, speed=0.3).stayed == stayed
+
+
+def test_lines_that_balls_go_over() -> None:
+    report = seen(Ball("cue", 0.3, 0.635), Ball("1", 0.5, 0.635), Ball("2", 1.0, 0.2), angle=0.0, speed=3.0)
+    assert report.crossed == report.passed == ("1",)
 
 
 def test_the_contacts_of_one_ball_are_told_from_its_side() -> None:

@@ -70,8 +70,9 @@ class Report:
     them at the same moment. `touching` are the balls that touched the cue ball before the shot, and
     `pressed` those of them that the shot pushed at. `frozen` pairs balls with the cushions they lay on.
     `stroke` names what was wrong with the stroke itself: "double-hit", "push", "miscue".
-    `kitchen`: the cue ball met its first ball behind the head string without having crossed it.
-    `passed` are the balls that went over the middle of the table's length, either way.
+    `kitchen`: the cue ball met its first ball behind the head string without having crossed it; `stayed`: it
+    neither crossed the head string nor met a ball beyond it. `crossed` are the balls that went over the
+    head string, and `passed` those that went over the middle of the table's length, either way.
     `start` is the layout before the shot.
     """
 
@@ -84,6 +85,8 @@ class Report:
     frozen: tuple[tuple[str, str], ...] = ()
     stroke: tuple[str, ...] = ()
     kitchen: bool = False
+    stayed: bool = False
+    crossed: tuple[str, ...] = ()
     passed: tuple[str, ...] = ()
     start: Layout = field(default_factory=Layout)
 
@@ -129,9 +132,21 @@ class Report:
         """The balls driven to a rail after the first meeting, each once; falling or leaving counts too."""
         return tuple(dict.fromkeys(c.ball for c in self.after if c.kind != BALL))
 
-    def called(self) -> bool:
-        """Whether the ball called fell into the pocket called."""
-        return Pot(self.call.ball, self.call.pocket) in self.pots
+    def called(self) -> str:
+        """The ball that fell as it was called, or, where nothing was, as was obvious; "" for none."""
+        call = self.call
+        if call.safety or call.push:
+            return ""
+        if call.ball or call.pocket:
+            return call.ball if Pot(call.ball, call.pocket) in self.pots else ""
+        return next((pot.ball for pot in self.pots if self.obvious(pot)), "")
+
+    def obvious(self, pot: Pot) -> bool:
+        """Whether a ball was met first and fell straight: no other ball, and no rail but the pocket's jaws."""
+        before = [c.kind for c in self.contacts[: len(self.contacts) - len(self.after)] if self.cue == c.ball]
+        own = [c for c in self.of(pot.ball) if c.other != f"{pot.pocket} jaw"]
+        straight = [Contact(BALL, pot.ball, self.cue), Contact(POCKET, pot.ball, pot.pocket)]
+        return before == [BALL] and own == straight
 
     def of(self, ball: str) -> tuple[Contact, ...]:
         """The contacts of one ball, those with another ball told from its side."""
@@ -157,6 +172,7 @@ class _Reader:
         self.rollout = rollout
         self.cue = cue
         self.start = rollout.start
+        self.line = table.furniture.head_string
         # When each ball was last on each cushion.
         self.on_rail = dict.fromkeys(self.frozen(), 0.0)
         self.frozen_at_start = tuple(self.on_rail)
@@ -184,7 +200,9 @@ class _Reader:
             frozen=self.frozen_at_start,
             stroke=tuple(self.stroke(first, touching, when)),
             kitchen=self.kitchen(first, when),
-            passed=tuple(ball.id for ball in self.start.on_table() if self.passes(ball)),
+            stayed=self.stayed(),
+            crossed=tuple(self.over(self.line)) if self.line is not None else (),
+            passed=tuple(self.over(0.5 * self.table.knobs.table.length)),
             start=self.start,
         )
 
@@ -249,17 +267,29 @@ class _Reader:
         return along > GRAZED * math.hypot(dx, dy) * math.hypot(cue.vx, cue.vy)
 
     def kitchen(self, first: tuple[str, ...], when: float) -> bool:
-        """Whether the first ball met stood behind the head string and the cue ball never crossed it."""
-        line = self.table.furniture.head_string
-        if line is None or not first or any(self.start[ball].x >= line for ball in first):
+        """Whether the first ball met stood behind the head string and the cue ball had not crossed it."""
+        if self.line is None or not first or any(self.start[ball].x >= self.line for ball in first):
             return False
-        return max(_span(self.rollout.tracks[self.cue], when)) < line
+        return _span(self.rollout.tracks[self.cue], when)[1] < self.line
 
-    def passes(self, ball: Ball) -> bool:
-        """Whether a ball's centre goes over the middle of the table's length."""
-        middle = 0.5 * self.table.knobs.table.length
-        low, high = _span(self.rollout.tracks.get(ball.id, []), self.rollout.duration)
-        return low < middle < high
+    def stayed(self) -> bool:
+        """Whether the cue ball never crossed the head string nor met a ball beyond it."""
+        if self.line is None or _span(self.rollout.tracks[self.cue], self.rollout.duration)[1] >= self.line:
+            return False
+        met = [
+            (event, a if b == self.cue else b)
+            for event in self.rollout.events
+            for a, b in event.pairs
+            if self.cue in (a, b)
+        ]
+        return all(event.before[ball].x < self.line for event, ball in met)
+
+    def over(self, line: float) -> Iterator[str]:
+        """The object balls whose centre goes over a line across the table."""
+        for ball in self.start.on_table():
+            low, high = _span(self.rollout.tracks[ball.id], self.rollout.duration)
+            if ball.id != self.cue and low < line < high:
+                yield ball.id
 
 
 def rails(event: Event) -> tuple[tuple[str, str], ...]:

@@ -4,7 +4,8 @@
     1>top-left  the 1 falls into a pocket           1^         the 1 leaves the table
     a+b         "cue-1+2": the cue ball meets the 1 and the 2 at the same moment
 
-In their order, with spaces between. A rail or a pocket that does not matter may be left out: "1|", "1>".
+In their order, with spaces between; "_" stands for a space in a name, as in 1|top-left_jaw. A rail or a
+pocket that does not matter may be left out: "1|", "1>".
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ def contacts(text: str) -> tuple[Contact, ...]:
     """The contacts that a text tells."""
     found: list[Contact] = []
     for word in text.split():
+        word = word.replace("_", " ")
         if word.endswith("^"):
             found.append(Contact(OFF, word[:-1]))
         elif ">" in word:

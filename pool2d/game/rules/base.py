@@ -31,8 +31,9 @@ class Ask:
     "over", the game has ended and `who` has won, -1 for nobody. `ball` is the cue ball to be struck.
     `where` is the area of a cue ball in hand, "" where it is not in hand: while one aims, a cue ball in
     hand may still be moved within it. `on` are the balls that may be hit first. `call` is what must be
-    said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket. `may` are the other
-    things that may be said, "safety" and "push".
+    said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket, which the obvious shot
+    needs not. `may` are the other things that may be said, "safety" and "push". `options` are the keys to
+    choose from; a player who is to aim or place may be offered some too, and need not choose.
     """
 
     kind: str
@@ -159,14 +160,18 @@ class Rules(Generic[S]):
         ask = state.ask
         if choice.key == "place" and ask.where and ask.kind in (AIM, PLACE):
             return self._placed(state, layout, choice)
-        if ask.kind != CHOOSE or choice.key not in ask.options:
-            allowed = ", ".join(ask.options if ask.kind == CHOOSE else ("place",) if ask.where else ()) or "nothing"
+        if choice.key not in ask.options:
+            allowed = ", ".join((*ask.options, *(("place",) if ask.where else ()))) or "nothing"
             raise InputError(self.name, "choice", choice.key, f"allowed is {allowed}")
         return self.picked(state, layout, choice.key)
 
     def picked(self, state: S, layout: Layout, key: str) -> Ruling:
         """What follows from one of the options that the state offers."""
         raise NotImplementedError
+
+    def conceded(self, state: S, layout: Layout, player: int) -> Ruling:
+        """What follows when a player gives the game up."""
+        return self.ruled(self.ended(state, self.other(player)), layout, Note("concedes", player))
 
     def state(self, data: Mapping[str, Any]) -> S:
         """A state from what `as_dict` made of it; raises InputError."""
@@ -213,9 +218,24 @@ class Rules(Generic[S]):
         """The state in which the game is over; -1 where nobody has won."""
         return replace(state, ask=Ask(OVER, winner))
 
+    def ruled(
+        self,
+        state: S,
+        layout: Layout,
+        *notes: Note,
+        fouls: tuple[Note, ...] = (),
+        spotted: tuple[tuple[str, Point], ...] = (),
+        points: tuple[int, ...] = (),
+    ) -> Ruling:
+        """A ruling whose notes tell of the fouls, what else happened and what is next."""
+        every = (*fouls, *notes, *(Note("spotted", ball=ball) for ball, _ in spotted), self.next_note(state))
+        return Ruling(state, layout, every, fouls, spotted, points or (0,) * len(state.scores))
+
     def next_note(self, state: S) -> Note:
         """What is next, in words."""
         ask = state.ask
+        if ask.kind != OVER and not state.shots and ask.kind != CHOOSE:
+            return Note("break", ask.who)
         if ask.kind == OVER:
             return Note("wins", ask.who) if ask.who >= 0 else Note("draw")
         if ask.kind == CHOOSE:
@@ -228,7 +248,7 @@ class Rules(Generic[S]):
             allowed = f"allowed is {_AREAS[ask.where]}, clear of other balls"
             raise InputError(self.name, "place", (choice.x, choice.y), allowed)
         layout = put(layout, ask.ball, (choice.x, choice.y))
-        return Ruling(replace(state, ask=replace(ask, kind=AIM)), layout, points=(0,) * len(state.scores))
+        return Ruling(replace(state, ask=replace(ask, kind=AIM, options=())), layout, points=(0,) * len(state.scores))
 
 
 _AREAS = {"anywhere": "anywhere on the table", "kitchen": "behind the head string", "d": "in the D"}

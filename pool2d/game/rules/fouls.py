@@ -1,4 +1,4 @@
-"""The fouls that the pool games share. Clauses are those of the WPA's rules of play, section 6."""
+"""The fouls that the pool games share. Clauses are those of the WPA's Rules of Play of 15 September 2025."""
 
 from __future__ import annotations
 
@@ -8,17 +8,19 @@ from ..report import Report
 from .words import Note
 
 
-def seen(report: Report, on: Collection[str], *, rail: bool = True, kitchen: bool = False) -> tuple[Note, ...]:
+def seen(report: Report, on: Collection[str], *, kitchen: bool = False, push: bool = False) -> tuple[Note, ...]:
     """Every foul of a shot, the gravest first.
 
-    `on` are the balls that may be hit first. `rail`: without a ball pocketed, one must be driven to a
-    rail. `kitchen`: the cue ball was in hand behind the head string.
+    `on` are the balls that may be hit first. `kitchen`: the cue ball was in hand behind the head string.
+    `push`: it was a push out, in which any ball or none may be hit, and no rail is needed (5.4, 6.4).
     """
-    return (*_cue_ball(report), *_balls_off(report), *_hit(report, on, kitchen), *_rail(report, rail), *_stroke(report))
+    hit = () if push else (*_hit(report, on), *_rail(report))
+    played = _from_kitchen(report) if kitchen else ()
+    return (*_cue_ball(report), *_balls_off(report), *hit, *played, *_stroke(report))
 
 
 def _cue_ball(report: Report) -> Iterator[Note]:
-    """6.1 Cue ball scratch or off the table."""
+    """3.1: the cue ball is pocketed or driven off the table."""
     if report.scratch:
         yield Note("foul.scratch")
     if report.cue_off:
@@ -26,32 +28,35 @@ def _cue_ball(report: Report) -> Iterator[Note]:
 
 
 def _balls_off(report: Report) -> Iterator[Note]:
-    """6.5 Ball driven off the table."""
+    """3.5: an object ball is driven off the table."""
     for ball in report.off:
         yield Note("foul.off", ball=ball)
 
 
-def _hit(report: Report, on: Collection[str], kitchen: bool) -> Iterator[Note]:
-    """6.2 Wrong ball first; 6.11 bad play from behind the head string.
-
-    Of balls met at the same moment the shooter has the benefit.
-    """
+def _hit(report: Report, on: Collection[str]) -> Iterator[Note]:
+    """3.2: a wrong ball is hit first; of balls met at the same moment the shooter has the benefit. 3.3: none is hit."""
     if not report.first:
         yield Note("foul.no-hit")
     elif not set(report.first) & set(on):
         yield Note("foul.wrong-ball", ball=report.first[0])
-    if kitchen and report.kitchen:
-        yield Note("foul.kitchen")
 
 
-def _rail(report: Report, rail: bool) -> Iterator[Note]:
-    """6.3 No rail after contact."""
-    if rail and report.first and not report.driven:
+def _rail(report: Report) -> Iterator[Note]:
+    """3.3: after the hit no ball is pocketed or driven to a rail; 2.7 says when one is."""
+    if report.first and not report.driven:
         yield Note("foul.no-rail")
 
 
+def _from_kitchen(report: Report) -> Iterator[Note]:
+    """3.11: the first ball hit is behind the head string, or the cue ball stays there and meets nothing beyond."""
+    if report.stayed:
+        yield Note("foul.stayed")
+    elif report.kitchen:
+        yield Note("foul.kitchen")
+
+
 def _stroke(report: Report) -> Iterator[Note]:
-    """6.7 Double hit; 6.8 push shot. A miscue is no foul of its own (8.18)."""
+    """3.7: double hit; 3.8: push shot. A miscue is no foul of its own."""
     for fault in report.stroke:
         if fault in ("double-hit", "push"):
             yield Note(f"foul.{fault}", ball=report.first[0] if report.first else "")

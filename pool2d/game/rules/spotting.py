@@ -69,7 +69,7 @@ def nearest(
 def on_long_string(table: Table, layout: Layout, ball: str, spot: str = "foot") -> Point | None:
     """Where a ball is spotted on the long string: the spot, or below it, or above it, as near as may be.
 
-    WPA 1.4: in contact with object balls in the way where possible, but not with the cue ball.
+    WPA 1.5: in contact with object balls in the way where possible, but not with the cue ball.
     """
     place = table.furniture.spots.get(spot) or _mirrored(table)
     clear = frozenset({table.furniture.cue})
