@@ -29,8 +29,10 @@ from pool2d.physics.values import POCKETED, Ball, Layout
 TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft")
 # Games to a score are played to less, so that they end.
 SHORT = {"straight": {"target": 8.0}}
-# After so many strokes a match is given up; practice never ends.
+# After so many strokes a match is given up.
 STROKES = 300
+# Practice never ends.
+LIMITS = {"practice": 50}
 
 
 @dataclass
@@ -52,6 +54,7 @@ def table_for(name: str) -> Table:
 
 def play(name: str, seed: int, strokes: int = STROKES) -> Result:
     """One match, by dice."""
+    strokes = min(strokes, LIMITS.get(name, strokes))
     rng = random.Random(f"{name} {seed}")
     table = table_for(name)
     rules = game(name, table, SHORT.get(name))

@@ -21,6 +21,8 @@ from .spotting import may_place, put, within
 from .words import Note
 
 AIM, PLACE, CHOOSE, OVER = "aim", "place", "choose", "over"
+# What an option may be that is on or off.
+YES_NO = ("yes", "no")
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,6 +170,10 @@ class Rules(Generic[S]):
     def picked(self, state: S, layout: Layout, key: str) -> Ruling:
         """What follows from one of the options that the state offers."""
         raise NotImplementedError
+
+    def stalemate(self, state: S) -> Ruling:
+        """What follows when the players see no progress: who began begins again."""
+        return self.start(state.breaker, state.seed + 1)
 
     def conceded(self, state: S, layout: Layout, player: int) -> Ruling:
         """What follows when a player gives the game up."""

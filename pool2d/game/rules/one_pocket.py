@@ -14,10 +14,9 @@ from ...outline import Point
 from ...physics.values import Layout
 from ...table import Table
 from ..report import Report
-from .base import Options, Ruling, State
+from .base import YES_NO, Options, Ruling, State
 from .fouls import seen
 from .pool import PoolRules, changed, gone
-from .rotation import YES_NO
 from .spotting import KITCHEN, spot_balls
 from .words import Note
 
