@@ -43,7 +43,7 @@ def test_an_unknown_option_is_refused() -> None:
 def test_a_table_has_games_that_its_balls_allow() -> None:
     assert {"eight-ball", "nine-ball", "straight", "practice"} <= set(games_for(TABLE))
     assert "eight-ball" not in games_for(load_table("english-7ft"))
-    with pytest.raises(InputError, match="nine-ball.*this table has not the balls or the rack for it"):
+    with pytest.raises(InputError, match=r"nine-ball.*this table has not the balls or the rack for it"):
         game("nine-ball", load_table("snooker-12ft"))
 
 
