@@ -240,12 +240,12 @@ class Rules(Generic[S]):
     def next_note(self, state: S) -> Note:
         """What is next, in words."""
         ask = state.ask
-        if ask.kind != OVER and not state.shots and ask.kind != CHOOSE:
-            return Note("break", ask.who)
         if ask.kind == OVER:
             return Note("wins", ask.who) if ask.who >= 0 else Note("draw")
         if ask.kind == CHOOSE:
             return Note("chooses", ask.who)
+        if not state.shots:
+            return Note("break", ask.who)
         return Note(f"in-hand.{ask.where}" if ask.where else "turn", ask.who)
 
     def _placed(self, state: S, layout: Layout, choice: Choice) -> Ruling:
@@ -254,7 +254,7 @@ class Rules(Generic[S]):
             allowed = f"allowed is {_AREAS[ask.where]}, clear of other balls"
             raise InputError(self.name, "place", (choice.x, choice.y), allowed)
         layout = put(layout, ask.ball, (choice.x, choice.y))
-        return Ruling(replace(state, ask=replace(ask, kind=AIM, options=())), layout, points=(0,) * len(state.scores))
+        return Ruling(replace(state, ask=replace(ask, kind=AIM)), layout, points=(0,) * len(state.scores))
 
 
 _AREAS = {"anywhere": "anywhere on the table", "kitchen": "behind the head string", "d": "in the D"}
