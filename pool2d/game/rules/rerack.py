@@ -33,10 +33,12 @@ def rerack(table: Table, layout: Layout, name: str, seed: int) -> tuple[Layout, 
 
 def interferes(table: Table, name: str, place: Point) -> bool:
     """Whether a ball here lies within the outline of a rack of fifteen, or over it."""
-    radius = table.knobs.ball.radius
-    x, y = table.furniture.racks[name].spot
-    back, half = x + (4.0 * math.sqrt(3.0) + 1.0) * radius, (4.0 + math.sqrt(3.0)) * radius
-    outline = [(x - 2.0 * radius, y), (back, y - half), (back, y + half)]
+    radius, rack = table.knobs.ball.radius, table.furniture.racks[name]
+    x, y = rack.spot
+    # Half of what a ball takes up in the rack, its play included.
+    room = radius + 0.5 * rack.gap
+    back, half = x + (4.0 * math.sqrt(3.0) + 1.0) * room, (4.0 + math.sqrt(3.0)) * room
+    outline = [(x - 2.0 * room, y), (back, y - half), (back, y + half)]
     sides = edges([Corner(*corner, "") for corner in outline])
     return inside(*place, outline) or any(distance_to_edge(*place, side) < radius for side in sides)
 
