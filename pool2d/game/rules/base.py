@@ -1,0 +1,281 @@
+"""What every game has: a state, what is asked of the players, rulings, and the rules that make them.
+
+A game goes round: a `Ruling` says in `state.ask` what is to happen next; the player shoots or chooses;
+`judge` or `choose` answers with the next ruling. Nothing here changes: each ruling holds a new state
+and a new layout.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields, replace
+from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
+
+from ...errors import InputError, suggest
+from ...knobs import apply
+from ...outline import Point
+from ...physics.values import POCKETED, Layout
+from ...table import Table
+from ..report import Report
+from .spotting import may_place, put, within
+from .words import Note
+
+AIM, PLACE, CHOOSE, OVER = "aim", "place", "choose", "over"
+# What an option may be that is on or off.
+YES_NO = ("yes", "no")
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """What is to happen next, and who is to do it.
+
+    `kind`: "aim", shoot; "place", put the cue ball on the table first; "choose", pick one of `options`;
+    "over", the game has ended and `who` has won, -1 for nobody. `ball` is the cue ball to be struck.
+    `where` is the area of a cue ball in hand, "" where it is not in hand: while one aims, a cue ball in
+    hand may still be moved within it. `on` are the balls that may be hit first. `call` is what must be
+    said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket, which the obvious shot
+    needs not. `may` are the other things that may be said, "safety" and "push". `options` are the keys to
+    choose from; a player who is to aim or place may be offered some too, and need not choose.
+    """
+
+    kind: str
+    who: int
+    ball: str = ""
+    where: str = ""
+    on: tuple[str, ...] = ()
+    call: str = ""
+    may: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
+
+
+class Choice(NamedTuple):
+    """What a player picked: a key out of `Ask.options`; or "place", and where the cue ball goes, m."""
+
+    key: str
+    x: float = 0.0
+    y: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """Where a game stands, apart from the balls. Games add fields of their own, of JSON's types and tuples.
+
+    `turn` is whose turn it is and `breaker` who broke; `scores` the points; `fouls` how many fouls in a row
+    each player has made; `seed` and `racks` give the next rack; `shots` counts the strokes since the last break.
+    """
+
+    ask: Ask = field(default_factory=lambda: Ask(AIM, 0))
+    turn: int = 0
+    breaker: int = 0
+    scores: tuple[int, ...] = (0, 0)
+    fouls: tuple[int, ...] = (0, 0)
+    seed: int = 0
+    racks: int = 0
+    shots: int = 0
+
+    @property
+    def over(self) -> bool:
+        return self.ask.kind == OVER
+
+    @property
+    def winner(self) -> int | None:
+        """Who has won; None while nobody has."""
+        return self.ask.who if self.over and self.ask.who >= 0 else None
+
+    def as_dict(self) -> dict[str, Any]:
+        """The state in JSON's types."""
+        return asdict(self)
+
+
+class Ruling(NamedTuple):
+    """What happens after a shot or a choice.
+
+    `notes` say what happened, in order, the last one what is next; `fouls` why it was a foul, the gravest
+    first; `spotted` which balls went back on the table and where; `points` what each player's score changed by.
+    """
+
+    state: State
+    layout: Layout
+    notes: tuple[Note, ...] = ()
+    fouls: tuple[Note, ...] = ()
+    spotted: tuple[tuple[str, Point], ...] = ()
+    points: tuple[int, ...] = (0, 0)
+
+    @property
+    def ask(self) -> Ask:
+        return self.state.ask
+
+    @property
+    def foul(self) -> bool:
+        return bool(self.fouls)
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What may be set about a game, described by knobs; a game without options has none."""
+
+
+S = TypeVar("S", bound=State)
+
+
+class Rules(Generic[S]):
+    """The rules of one game on one table, with options.
+
+    A game fills in the class attributes and `start`, `judge` and `picked`. `racks` are the racks it can be played
+    from, the first that the table has being taken; `groups` the groups of balls that it needs.
+    """
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    players: ClassVar[int] = 2
+    racks: ClassVar[tuple[str, ...]] = ()
+    groups: ClassVar[tuple[str, ...]] = ()
+    options_type: ClassVar[type[Options]] = Options
+    state_type: ClassVar[type[State]] = State
+
+    def __init__(self, table: Table, options: Mapping[str, object] | None = None) -> None:
+        """Raises InputError for an unknown option or value, and for a table that lacks the racks or balls."""
+        self.table = table
+        self.options: Any = apply(self.options_type(), options or {}, f"options of {self.name}")
+        if not self.fits(table):
+            raise InputError(table.source, "game", self.name, "this table has not the balls or the rack for it")
+
+    @classmethod
+    def fits(cls, table: Table) -> bool:
+        """Whether a table has the rack, the balls and, where they are needed, the pockets for this game."""
+        furniture = table.furniture
+        racked = not cls.racks or any(rack in furniture.racks for rack in cls.racks)
+        return racked and all(group in furniture.groups for group in cls.groups)
+
+    # What a match asks.
+
+    def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
+        """The first ruling of a game: the balls racked, and who does what."""
+        raise NotImplementedError
+
+    def judge(self, state: S, layout: Layout, report: Report) -> Ruling:
+        """What follows from a shot; `layout` is as it was when the balls had come to rest."""
+        raise NotImplementedError
+
+    def choose(self, state: S, layout: Layout, choice: Choice) -> Ruling:
+        """What follows from a choice; raises InputError for one that the state does not ask for."""
+        ask = state.ask
+        if choice.key == "place" and ask.where and ask.kind in (AIM, PLACE):
+            return self._placed(state, layout, choice)
+        if choice.key not in ask.options:
+            allowed = ", ".join((*ask.options, *(("place",) if ask.where else ()))) or "nothing"
+            raise InputError(self.name, "choice", choice.key, f"allowed is {allowed}")
+        return self.picked(state, layout, choice.key)
+
+    def picked(self, state: S, layout: Layout, key: str) -> Ruling:
+        """What follows from one of the options that the state offers."""
+        raise NotImplementedError
+
+    def stalemate(self, state: S) -> Ruling:
+        """What follows when the players see no progress: who began begins again."""
+        return self.start(state.breaker, state.seed + 1)
+
+    def conceded(self, state: S, layout: Layout, player: int) -> Ruling:
+        """What follows when a player gives the game up."""
+        return self.ruled(self.ended(state, self.other(player)), layout, Note("concedes", player))
+
+    def state(self, data: Mapping[str, Any]) -> S:
+        """A state from what `as_dict` made of it; raises InputError."""
+        state: S = _read(self.state_type, data, f"state of {self.name}")
+        return state
+
+    # What games build rulings from.
+
+    def cue_of(self, player: int) -> str:
+        """The ball that a player strikes."""
+        return self.table.furniture.cue
+
+    def other(self, player: int) -> int:
+        """The opponent."""
+        return (player + 1) % self.players
+
+    def racked(self, state: S) -> tuple[S, Layout]:
+        """The balls of a new rack, the cue ball a little behind the head string, and the state that knows of it."""
+        name = next((rack for rack in self.racks if rack in self.table.furniture.racks), "")
+        layout = self.table.rack(name or next(iter(self.table.furniture.racks)), state.seed + 1000 * state.racks)
+        line, cue = self.table.furniture.head_string, layout[self.table.furniture.cue]
+        if line is not None and cue.x >= line:
+            layout = put(layout, cue.id, (line - 2.0 * self.table.body_of(cue)[0], cue.y))
+        return replace(state, racks=state.racks + 1, shots=0), layout
+
+    def on_table(self, layout: Layout) -> tuple[str, ...]:
+        """The object balls on the table."""
+        return tuple(ball.id for ball in layout.on_table() if ball.id != self.table.furniture.cue)
+
+    def to_play(self, state: S, layout: Layout, who: int, where: str = "", **more: Any) -> S:
+        """The state in which a player is to shoot, with the cue ball in hand where an area is named.
+
+        It has to be placed first where it is off the table or outside the area.
+        """
+        cue = layout[self.cue_of(who)]
+        down = cue.phase != POCKETED and within(self.table, where, cue.x, cue.y)
+        return replace(state, turn=who, ask=Ask(AIM if down or not where else PLACE, who, cue.id, where, **more))
+
+    def to_choose(self, state: S, who: int, *options: str) -> S:
+        """The state in which a player has to choose."""
+        return replace(state, ask=Ask(CHOOSE, who, options=options))
+
+    def ended(self, state: S, winner: int) -> S:
+        """The state in which the game is over; -1 where nobody has won."""
+        return replace(state, ask=Ask(OVER, winner))
+
+    def ruled(
+        self,
+        state: S,
+        layout: Layout,
+        *notes: Note,
+        fouls: tuple[Note, ...] = (),
+        spotted: tuple[tuple[str, Point], ...] = (),
+        points: tuple[int, ...] = (),
+    ) -> Ruling:
+        """A ruling whose notes tell of the fouls, what else happened and what is next."""
+        every = (*fouls, *notes, *(Note("spotted", ball=ball) for ball, _ in spotted), self.next_note(state))
+        return Ruling(state, layout, every, fouls, spotted, points or (0,) * len(state.scores))
+
+    def next_note(self, state: S) -> Note:
+        """What is next, in words."""
+        ask = state.ask
+        if ask.kind == OVER:
+            return Note("wins", ask.who) if ask.who >= 0 else Note("draw")
+        if ask.kind == CHOOSE:
+            return Note("chooses", ask.who)
+        if not state.shots:
+            return Note("break", ask.who)
+        return Note(f"in-hand.{ask.where}" if ask.where else "turn", ask.who)
+
+    def _placed(self, state: S, layout: Layout, choice: Choice) -> Ruling:
+        ask = state.ask
+        if not may_place(self.table, layout, ask.ball, ask.where, choice.x, choice.y):
+            allowed = f"allowed is {_AREAS[ask.where]}, clear of other balls"
+            raise InputError(self.name, "place", (choice.x, choice.y), allowed)
+        layout = put(layout, ask.ball, (choice.x, choice.y))
+        return Ruling(replace(state, ask=replace(ask, kind=AIM)), layout, points=(0,) * len(state.scores))
+
+
+_AREAS = {"anywhere": "anywhere on the table", "kitchen": "behind the head string", "d": "in the D"}
+
+
+def _read(kind: type[Any], data: Mapping[str, Any], source: str) -> Any:
+    """A dataclass from a dictionary, lists becoming tuples."""
+    known = {entry.name for entry in fields(kind)}
+    for name in data:
+        if name not in known:
+            raise InputError(source, name, data[name], suggest(name, known))
+    values = {name: _tupled(value) for name, value in data.items()}
+    if "ask" in values and kind is not Ask:
+        if not isinstance(data["ask"], Mapping):
+            raise InputError(source, "ask", data["ask"], "allowed is what a state's as_dict gives")
+        values["ask"] = _read(Ask, data["ask"], source)
+    try:
+        return kind(**values)
+    except TypeError as error:
+        raise InputError(source, "", dict(data), str(error)) from None
+
+
+def _tupled(value: Any) -> Any:
+    return tuple(_tupled(item) for item in value) if isinstance(value, (list, tuple)) else value

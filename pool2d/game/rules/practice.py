@@ -1,0 +1,37 @@
+"""Free practice: no fouls, no turns, no end. The cue ball is always in hand."""
+
+from __future__ import annotations
+
+from ...physics.values import Layout
+from ..report import Report
+from .base import Rules, Ruling, State
+from .spotting import ANYWHERE, spot_balls
+from .words import Note
+
+
+class Practice(Rules[State]):
+    """One player, any table. A cue ball that fell is placed again; when no ball is left, they are racked."""
+
+    name = "practice"
+    title = "Practice"
+    players = 1
+
+    def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
+        return self._racked(State(seed=seed, scores=(0,), fouls=(0,)))
+
+    def judge(self, state: State, layout: Layout, report: Report) -> Ruling:
+        layout, spotted = spot_balls(self.table, layout, report.off)
+        scored = len(report.potted)
+        state = State(
+            seed=state.seed, racks=state.racks, shots=state.shots + 1, scores=(state.scores[0] + scored,), fouls=(0,)
+        )
+        notes = (Note("score", 0, points=scored),) if scored else ()
+        if not self.on_table(layout):
+            return self._racked(state)._replace(points=(scored,), notes=notes)
+        state = self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout))
+        return Ruling(state, layout, notes, spotted=spotted, points=(scored,))
+
+    def _racked(self, state: State) -> Ruling:
+        state, layout = self.racked(state)
+        state = self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout))
+        return Ruling(state, layout, points=(0,))

@@ -1,0 +1,96 @@
+"""What rulings say, in English: the one place to translate.
+
+A `Note` is a key and what fills its gaps. `say` makes a sentence of it; names of players are put in by
+whoever shows it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+ENGLISH: dict[str, str] = {
+    # Fouls.
+    "foul.scratch": "the cue ball was pocketed",
+    "foul.cue-off": "the cue ball left the table",
+    "foul.off": "the {ball} left the table",
+    "foul.no-hit": "the cue ball hit no ball",
+    "foul.wrong-ball": "the {ball} was hit first, and it was not on",
+    "foul.no-rail": "no ball was driven to a cushion after the hit",
+    "foul.kitchen": "the ball hit first was behind the head string",
+    "foul.stayed": "the cue ball did not leave the kitchen",
+    "foul.double-hit": "the tip was still on the cue ball when it met the {ball}",
+    "foul.push": "push stroke",
+    "foul.break": "the break was not legal",
+    "foul.three": "third foul in a row",
+    # What happened.
+    "break": "{player} breaks",
+    "turn": "{player} to play",
+    "in-hand.anywhere": "{player} has the cue ball in hand, anywhere",
+    "in-hand.kitchen": "{player} has the cue ball in hand, behind the head string",
+    "in-hand.d": "{player} has the cue ball in hand, in the D",
+    "chooses": "{player} chooses",
+    "spotted": "the {ball} is spotted",
+    "score": "{player} scores {points}",
+    "loses": "{player} loses {points}",
+    "concedes": "{player} concedes",
+    "wins": "{player} wins",
+    "draw": "nobody wins",
+    "not-called": "the {ball} was not called",
+    "illegal-break": "the break was not legal",
+    "group.solid": "{player} has the solids",
+    "group.stripe": "{player} has the stripes",
+    "loss.eight-off": "{player} drove the 8 off the table",
+    "loss.eight-foul": "{player} pocketed the 8 on a foul",
+    "loss.eight-early": "{player} pocketed the 8 too early",
+    "loss.eight-pocket": "{player} pocketed the 8 where it was not called",
+    "owes": "{player} owes a ball",
+    "re-racked": "the balls are racked again",
+    # What may be chosen; after a colon comes what it is about.
+    "choice.accept": "Play the balls as they lie",
+    "choice.kitchen": "Take the cue ball behind the head string",
+    "choice.play": "Play",
+    "choice.pass": "Let the opponent play",
+    "choice.hand-back": "Hand the shot back",
+    "choice.re-rack": "Rack again and break",
+    "choice.opponent-breaks": "Rack again; the opponent breaks",
+    "choice.spot": "Spot the ball nearest to the head string",
+    "choice.spot-eight": "Spot the 8 and play on",
+    "choice.pocket": "Score in the {what} pocket",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """Something to say: a key of the words, and what fills the gaps.
+
+    `player` is a player's number, -1 where none is meant.
+    """
+
+    key: str
+    player: int = -1
+    ball: str = ""
+    points: int = 0
+
+    @property
+    def text(self) -> str:
+        return say(self)
+
+    def as_dict(self) -> dict[str, Any]:
+        return {"key": self.key, "player": self.player, "ball": self.ball, "points": self.points}
+
+
+def say(note: Note, names: Sequence[str] = ("Player 1", "Player 2"), words: Mapping[str, str] = ENGLISH) -> str:
+    """A note as a sentence."""
+    player = names[note.player] if 0 <= note.player < len(names) else ""
+    # Of many alike, such as red7, the number is of no interest.
+    ball = note.ball if note.ball.isdigit() else note.ball.rstrip("0123456789")
+    text = words[note.key].format(player=player, ball=ball, points=note.points)
+    return text[:1].upper() + text[1:] + "."
+
+
+def label(key: str, words: Mapping[str, str] = ENGLISH) -> str:
+    """What an option is called."""
+    name, _, what = key.partition(":")
+    return words[f"choice.{name}"].format(what=what)
