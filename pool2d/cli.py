@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,9 @@ from . import __version__
 from .errors import BudgetError, InputError
 from .knobs import Knob, apply
 from .physics.rollout import Rollout
+from .position import read, read_shot
 from .preset import load_table, presets
-from .scenario import load_scenario
+from .scenario import Scenario, load_scenario, scenario_of
 from .table import Knobs
 
 _EVENTS = Knob(0, 1, 1e9, "events", "")
@@ -59,8 +61,8 @@ def _simulate(arguments: argparse.Namespace) -> int:
     overrides = _overrides(arguments.set)
     limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
-    for path in arguments.files:
-        rollout = load_scenario(path, overrides, _conditions(arguments)).simulate(limit)
+    for path, scenario in _scenarios(arguments, overrides):
+        rollout = scenario.simulate(limit)
         if step is not None and rollout.duration / step * len(rollout.start) > _MOST:
             allowed = f"the paths would have more than {_MOST} points; take a longer step"
             raise InputError("command line", "--sample", step, allowed)
@@ -69,6 +71,23 @@ def _simulate(arguments: argparse.Namespace) -> int:
         else:
             _tell(path, rollout, step)
     return 0
+
+
+def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iterator[tuple[str, Scenario]]:
+    """What is to be simulated: the files, or what `--position` and `--shot` say; each with its name."""
+    conditions = _conditions(arguments)
+    shot = None if arguments.shot is None else read_shot(arguments.shot, "--shot")
+    if arguments.position is None:
+        if shot is not None or not arguments.files:
+            raise InputError("command line", "", None, "allowed are scenario files, or --position and --shot")
+        yield from ((path, load_scenario(path, overrides, conditions)) for path in arguments.files)
+        return
+    if arguments.files:
+        raise InputError("command line", "", None, "allowed are scenario files or --position, not both")
+    position = read(arguments.position, "--position")
+    if shot is not None:
+        position = replace(position, shot=shot)
+    yield "position", scenario_of(position, overrides, conditions)
 
 
 def _render(arguments: argparse.Namespace) -> int:
@@ -120,7 +139,9 @@ def _parser() -> argparse.ArgumentParser:
     play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
 
     simulate = command("simulate", _simulate, "Play scenario files without a screen and tell what happened.")
-    simulate.add_argument("files", nargs="+", metavar="FILE", help="a scenario, .toml or .json")
+    simulate.add_argument("files", nargs="*", metavar="FILE", help="a scenario, .toml or .json")
+    simulate.add_argument("--position", metavar="TEXT", help="instead of a file: 'pool-9ft cue@0.6,0.6 1@1.9,0.65'")
+    simulate.add_argument("--shot", metavar="TEXT", help="the shot to play there: 'cue:angle,speed,side,height'")
     simulate.add_argument("--json", action="store_true", help="one line of JSON for each file")
     simulate.add_argument("--sample", metavar="DT", help="add each ball's path, sampled every DT seconds")
     simulate.add_argument("--events", metavar="N", help="stop after N events")
