@@ -66,7 +66,7 @@ def write_shot(shot: Shot) -> str:
 
 
 def read(text: str, source: str = "position") -> Position:
-    """What a text tells; whether the balls fit is the table's to say. Raises InputError naming the word that is wrong."""
+    """What a text tells; raises InputError naming the wrong word. Whether the balls fit is the table's to say."""
     if len(text) > _LONGEST:
         raise InputError(source, "", None, f"longer than {_LONGEST} characters; no layout is")
     words = text.split()
