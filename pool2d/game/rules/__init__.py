@@ -8,10 +8,17 @@ from typing import Any
 from ...errors import InputError, suggest
 from ...table import Table
 from .base import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Options, Rules, Ruling, State
+from .eight_ball import EightBall
+from .nine_ball import NineBall
+from .one_pocket import OnePocket
 from .practice import Practice
-from .words import Note, say
+from .straight import Straight
+from .ten_ball import TenBall
+from .words import Note, label, say
 
-GAMES: dict[str, type[Rules[Any]]] = {rules.name: rules for rules in (Practice,)}
+GAMES: dict[str, type[Rules[Any]]] = {
+    rules.name: rules for rules in (EightBall, NineBall, TenBall, Straight, OnePocket, Practice)
+}
 
 
 def game(name: str, table: Table, options: Mapping[str, object] | None = None) -> Rules[Any]:
@@ -44,5 +51,6 @@ __all__ = [
     "State",
     "game",
     "games_for",
+    "label",
     "say",
 ]

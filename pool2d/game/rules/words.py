@@ -33,20 +33,32 @@ ENGLISH: dict[str, str] = {
     "in-hand.d": "{player} has the cue ball in hand, in the D",
     "chooses": "{player} chooses",
     "spotted": "the {ball} is spotted",
-    "no-room": "there is no room to spot the {ball}",
     "score": "{player} scores {points}",
     "loses": "{player} loses {points}",
     "concedes": "{player} concedes",
     "wins": "{player} wins",
     "draw": "nobody wins",
     "not-called": "the {ball} was not called",
-    # What may be chosen.
+    "illegal-break": "the break was not legal",
+    "group.solid": "{player} has the solids",
+    "group.stripe": "{player} has the stripes",
+    "loss.eight-off": "{player} drove the 8 off the table",
+    "loss.eight-foul": "{player} pocketed the 8 on a foul",
+    "loss.eight-early": "{player} pocketed the 8 too early",
+    "loss.eight-pocket": "{player} pocketed the 8 where it was not called",
+    "owes": "{player} owes a ball",
+    "re-racked": "the balls are racked again",
+    # What may be chosen; after a colon comes what it is about.
     "choice.accept": "Play the balls as they lie",
-    "choice.place": "Put the cue ball here",
-    "choice.pass": "Let the opponent play",
+    "choice.kitchen": "Take the cue ball behind the head string",
     "choice.play": "Play",
+    "choice.pass": "Let the opponent play",
+    "choice.hand-back": "Hand the shot back",
     "choice.re-rack": "Rack again and break",
     "choice.opponent-breaks": "Rack again; the opponent breaks",
+    "choice.spot": "Spot the ball nearest to the head string",
+    "choice.spot-eight": "Spot the 8 and play on",
+    "choice.pocket": "Score in the {what} pocket",
 }
 
 
@@ -76,4 +88,10 @@ def say(note: Note, names: Sequence[str] = ("Player 1", "Player 2"), words: Mapp
     # Of many alike, such as red7, the number is of no interest.
     ball = note.ball if note.ball.isdigit() else note.ball.rstrip("0123456789")
     text = words[note.key].format(player=player, ball=ball, points=note.points)
-    return text[:1].upper() + text[1:] + ("" if note.key.startswith("choice.") else ".")
+    return text[:1].upper() + text[1:] + "."
+
+
+def label(key: str, words: Mapping[str, str] = ENGLISH) -> str:
+    """What an option is called."""
+    name, _, what = key.partition(":")
+    return words[f"choice.{name}"].format(what=what)

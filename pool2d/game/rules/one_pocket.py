@@ -1,0 +1,134 @@
+"""One-pocket by the rules of OnePocket.org, adopted 19 January 2005, which the BCA took over.
+
+Where these are silent, the WPA's general rules hold. Balls moved by hand, and handicaps beyond the
+number of balls to make, are left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from ...knobs import choice, knob
+from ...physics.values import Layout
+from ...table import Table
+from ..report import Report
+from .base import Options, Ruling, State
+from .fouls import seen
+from .pool import PoolRules, changed, gone
+from .rotation import YES_NO
+from .spotting import KITCHEN, spot_balls
+from .words import Note
+
+
+@dataclass(frozen=True, slots=True)
+class OnePocketOptions(Options):
+    target: float = knob(8.0, 1.0, 8.0, "balls", "how many balls win")
+    three_foul: str = choice("yes", YES_NO, "three fouls in a row lose the game")
+
+
+@dataclass(frozen=True, slots=True)
+class OnePocketState(State):
+    """`pockets` are the players', `held` the balls they made, `owed` how many balls they owe.
+
+    `waiting` are balls made in other pockets, to be spotted when the inning is over.
+    """
+
+    pockets: tuple[str, ...] = ("", "")
+    held: tuple[tuple[str, ...], ...] = ((), ())
+    owed: tuple[int, ...] = (0, 0)
+    waiting: tuple[str, ...] = ()
+
+
+class OnePocket(PoolRules[OnePocketState]):
+    """Each player scores in one of the two pockets at the foot; eight balls win. Nothing is called (section 1)."""
+
+    name = "one-pocket"
+    title = "One-pocket"
+    racks = ("straight-pool",)
+    options_type = OnePocketOptions
+    state_type = OnePocketState
+
+    def broken_by(self, player: int, state: OnePocketState) -> Ruling:
+        """2.1: the breaker chooses a pocket before the break."""
+        new = OnePocketState(seed=state.seed, racks=state.racks, breaker=player)
+        new, layout = self.racked(new)
+        new = replace(new, turn=player)
+        return self.ruled(self.to_choose(new, player, *(f"pocket:{name}" for name in foot(self.table))), layout)
+
+    def picked(self, state: OnePocketState, layout: Layout, key: str) -> Ruling:
+        name, _, mine = key.partition(":")
+        if name != "pocket":
+            return super().picked(state, layout, key)
+        who = state.ask.who
+        other = next(pocket for pocket in foot(self.table) if pocket != mine)
+        state = replace(state, pockets=(mine, other) if who == 0 else (other, mine))
+        return self.ruled(self.to_play(state, layout, who, KITCHEN, on=self.on_table(layout)), layout)
+
+    def judge(self, state: OnePocketState, layout: Layout, report: Report) -> Ruling:
+        who, opponent, ask = state.ask.who, self.other(state.ask.who), state.ask
+        fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
+        state = self.counted(replace(state, shots=state.shots + 1), who, bool(fouls))
+        mine, theirs, neutral = self._sorted(state, report)
+        notes: tuple[Note, ...] = ()
+        if fouls:
+            # 6.2: nothing counts for the shooter; for the opponent it does, unless the cue ball is gone.
+            neutral, mine = (*mine, *neutral), ()
+            if gone(layout, report.cue):
+                neutral, theirs = (*theirs, *neutral), ()
+            state = replace(state, owed=changed(state.owed, who, state.owed[who] + 1))
+            notes = (Note("owes", who),)
+            if self.options.three_foul == "yes" and state.fouls[who] >= 3:
+                return self._result(state, layout, opponent, Note("foul.three", who), fouls=fouls)
+        held = changed(state.held, who, (*state.held[who], *mine))
+        held = changed(held, opponent, (*held[opponent], *theirs))
+        before, state = state, replace(state, held=held, waiting=(*state.waiting, *neutral))
+        for player in (who, opponent):
+            if len(state.held[player]) - state.owed[player] >= self.options.target:
+                return self._result(state, layout, player, fouls=fouls)
+        if not mine or not self.on_table(layout):
+            # Spotting comes at the end of an inning, or when the table is empty.
+            state, back = _due(state, who)
+            layout, spotted = spot_balls(self.table, layout, back)
+        else:
+            spotted = ()
+        where = KITCHEN if gone(layout, report.cue) else ""  # 6.3: after any other foul the balls lie as they are.
+        state = _scored(self.next(state, layout, who if mine else opponent, where))
+        change = tuple(new - old for new, old in zip(state.scores, _scored(before).scores, strict=True))
+        return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted, points=change)
+
+    def _result(
+        self, state: OnePocketState, layout: Layout, winner: int, *notes: Note, fouls: tuple[Note, ...] = ()
+    ) -> Ruling:
+        return self.ruled(self.ended(_scored(state), winner), layout, *notes, fouls=fouls)
+
+    def _sorted(
+        self, state: OnePocketState, report: Report
+    ) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+        """The balls that fell into the shooter's pocket, into the opponent's, and elsewhere or off the table."""
+        who = state.ask.who
+        mine = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[who])
+        theirs = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[self.other(who)])
+        rest = tuple(ball for ball in (*report.potted, *report.off) if ball not in (*mine, *theirs))
+        return mine, theirs, rest
+
+
+def foot(table: Table) -> tuple[str, str]:
+    """The names of the two pockets furthest from the head, from low y to high."""
+    far = sorted(table.geometry.pockets, key=lambda pocket: pocket.x)[-2:]
+    low, high = sorted(far, key=lambda pocket: pocket.y)
+    return low.name, high.name
+
+
+def _due(state: OnePocketState, who: int) -> tuple[OnePocketState, tuple[str, ...]]:
+    """What a player has to have spotted: the waiting balls, and of what he owes as many as he holds (6.4)."""
+    pay = min(state.owed[who], len(state.held[who]))
+    kept = len(state.held[who]) - pay
+    back = (*state.waiting, *state.held[who][kept:])
+    held = changed(state.held, who, state.held[who][:kept])
+    return replace(state, waiting=(), held=held, owed=changed(state.owed, who, state.owed[who] - pay)), back
+
+
+def _scored(state: OnePocketState) -> OnePocketState:
+    """The state with its scores: the balls made, less those owed."""
+    scores = tuple(len(held) - owed for held, owed in zip(state.held, state.owed, strict=True))
+    return replace(state, scores=scores)
