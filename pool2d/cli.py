@@ -1,4 +1,4 @@
-"""The command line: play | simulate | render | tables."""
+"""The command line: play | simulate | render | replay | tables."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from .table import Knobs
 _EVENTS = Knob(0, 1, 1e9, "events", "")
 # Points of all paths together that `--sample` writes.
 _MOST = 2_000_000
+_SHOTS = Knob(0, 1, 1e6, "", "")
 _STEP = Knob(0.0, 1e-6, 1e6, "s", "")
 
 
@@ -93,12 +94,23 @@ def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iter
 def _render(arguments: argparse.Namespace) -> int:
     from .ui.render import render
 
-    width, _, height = arguments.size.partition("x")
-    size = Knob(0, 64, 8192, "pixels", "")
-    numbers = (int(_number(size, width, "--size")), int(_number(size, height, "--size")))
     scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
-    render(scenario, Path(arguments.out), numbers)
+    render(scenario, Path(arguments.out), _size(arguments.size))
     return 0
+
+
+def _replay(arguments: argparse.Namespace) -> int:
+    from . import replay
+
+    path = Path(arguments.file)
+    number = None if arguments.shot is None else _whole(_SHOTS, arguments.shot, "--shot")
+    if arguments.verify:
+        return replay.check(path)
+    if arguments.png:
+        return replay.to_png(path, Path(arguments.png), number, _size(arguments.size or "960x540"))
+    if arguments.gif:
+        return replay.to_gif(path, Path(arguments.gif), number, _size(arguments.size or "640x360"))
+    return replay.show(path)
 
 
 def _tables(arguments: argparse.Namespace) -> int:
@@ -151,6 +163,17 @@ def _parser() -> argparse.ArgumentParser:
     render.add_argument("out", metavar="OUT.png", help="the picture to write")
     render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
 
+    replay = commands.add_parser("replay", help="Look at a recorded match, verify it, or export a shot.")
+    replay.set_defaults(run=_replay)
+    replay.add_argument("file", metavar="FILE", help="a record")
+    what = replay.add_mutually_exclusive_group()
+    what.add_argument("--list", action="store_true", help="list the shots and what came of them")
+    what.add_argument("--verify", action="store_true", help="play it again, and name where it first differs")
+    what.add_argument("--png", metavar="DIR", help="write a shot as pictures, 25 a second")
+    what.add_argument("--gif", metavar="FILE", help="write a shot as a moving picture")
+    replay.add_argument("--shot", metavar="N", help="which shot, counted from 1; without it the last")
+    replay.add_argument("--size", metavar="WxH", help="of the pictures, in pixels (960x540; of a GIF 640x360)")
+
     tables = command("tables", _tables, "List the tables, show one, check files, or start a table of your own.")
     tables.add_argument("name", nargs="?", metavar="NAME", help="show this one: every knob, and where it comes from")
     tables.add_argument("--knobs", action="store_true", help="print every knob: name, default, range, unit, text")
@@ -200,6 +223,13 @@ def _whole(knob: Knob, text: str, name: str) -> int:
     if not number.is_integer():
         raise InputError("command line", name, text, f"allowed is a whole number; {knob.allowed()}")
     return int(number)
+
+
+def _size(text: str) -> tuple[int, int]:
+    """`--size WxH` as two numbers."""
+    width, _, height = text.partition("x")
+    size = Knob(0, 64, 8192, "pixels", "")
+    return int(_number(size, width, "--size")), int(_number(size, height, "--size"))
 
 
 def _as_dict(rollout: Rollout, step: float | None) -> dict[str, Any]:
