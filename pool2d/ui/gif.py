@@ -19,7 +19,7 @@ Ints: TypeAlias = np.ndarray[Any, np.dtype[np.int64]]
 _COLORS = 255
 _CLEAR = 255
 # How many bits of each channel tell colours apart.
-_BITS = 6
+_BITS = 7
 
 
 def encode(pictures: Iterable[Pixels], delay: int, hold: float = 0.0) -> bytes:
