@@ -173,6 +173,8 @@ class _Reader:
         self.cue = cue
         self.start = rollout.start
         self.line = table.furniture.head_string
+        # How far down and up the table each ball gets.
+        self.spans = {ball: _span(track, rollout.duration) for ball, track in rollout.tracks.items()}
         # When each ball was last on each cushion.
         self.on_rail = dict.fromkeys(self.frozen(), 0.0)
         self.frozen_at_start = tuple(self.on_rail)
@@ -201,8 +203,8 @@ class _Reader:
             stroke=tuple(self.stroke(first, touching, when)),
             kitchen=self.kitchen(first, when),
             stayed=self.stayed(),
-            crossed=tuple(self.over(self.line)) if self.line is not None else (),
-            passed=tuple(self.over(0.5 * self.table.knobs.table.length)),
+            crossed=self.over(self.line),
+            passed=self.over(0.5 * self.table.knobs.table.length),
             start=self.start,
         )
 
@@ -274,22 +276,16 @@ class _Reader:
 
     def stayed(self) -> bool:
         """Whether the cue ball never crossed the head string nor met a ball beyond it."""
-        if self.line is None or _span(self.rollout.tracks[self.cue], self.rollout.duration)[1] >= self.line:
+        if self.line is None or self.spans[self.cue][1] >= self.line:
             return False
-        met = [
-            (event, a if b == self.cue else b)
-            for event in self.rollout.events
-            for a, b in event.pairs
-            if self.cue in (a, b)
-        ]
-        return all(event.before[ball].x < self.line for event, ball in met)
+        met = [(event, pair) for event in self.rollout.events for pair in event.pairs if self.cue in pair]
+        return all(event.before[ball].x < self.line for event, pair in met for ball in pair)
 
-    def over(self, line: float) -> Iterator[str]:
+    def over(self, line: float | None) -> tuple[str, ...]:
         """The object balls whose centre goes over a line across the table."""
-        for ball in self.start.on_table():
-            low, high = _span(self.rollout.tracks[ball.id], self.rollout.duration)
-            if ball.id != self.cue and low < line < high:
-                yield ball.id
+        if line is None:
+            return ()
+        return tuple(ball for ball, (low, high) in self.spans.items() if ball != self.cue and low < line < high)
 
 
 def rails(event: Event) -> tuple[tuple[str, str], ...]:
@@ -314,5 +310,7 @@ def _span(track: list[Motion], end: float) -> tuple[float, float]:
     xs = []
     for motion, a, b in _pieces(track, 0.0, end):
         turn = motion.t0 - 0.5 * motion.vx / motion.hx if motion.hx else a
-        xs += [motion.at(t).x for t in (a, min(max(turn, a), b), b)]
+        for t in (a, min(max(turn, a), b), b):
+            s = t - motion.t0
+            xs.append(motion.x + (motion.vx + motion.hx * s) * s)
     return min(xs, default=0.0), max(xs, default=0.0)
