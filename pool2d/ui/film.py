@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -16,17 +16,17 @@ from ..table import Table
 from . import ball_art, gif, table_art
 from .view import fit
 
-# How long the last picture is held, s.
-_HOLD = 1.0
+# How long the last picture is held, in hundredths of a second.
+_HOLD = 100
 
 
-def frames(table: Table, rollout: Rollout, size: tuple[int, int], rate: int) -> Iterator[pygame.Surface]:
-    """The table every 1 / rate s from the shot's start to its end, which is included."""
+def frames(table: Table, rollout: Rollout, size: tuple[int, int], times: Iterable[float]) -> Iterator[pygame.Surface]:
+    """The table at moments of a shot, s."""
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
     background = table_art.draw(table, size, view)
-    for number in range(math.ceil(rollout.duration * rate) + 1):
+    for t in times:
         picture = background.copy()
-        for ball in rollout.at(number / rate).on_table():
+        for ball in rollout.at(t).on_table():
             look = table.furniture.looks.get(ball.id)
             place = view.to_screen(ball.x, ball.y)
             ball_art.draw(picture, ball.id, place, table.body_of(ball)[0] * view.scale, look=look)
@@ -36,18 +36,28 @@ def frames(table: Table, rollout: Rollout, size: tuple[int, int], rate: int) -> 
 def to_png(table: Table, rollout: Rollout, folder: Path, name: str, size: tuple[int, int], rate: int) -> int:
     """Write the pictures as name-0001.png and so on; returns how many. Raises InputError."""
     pygame.font.init()
-    number = 0
+    times = _times(rollout, rate)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for number, picture in enumerate(frames(table, rollout, size, rate), 1):
+        for number, picture in enumerate(frames(table, rollout, size, times), 1):
             pygame.image.save(picture, folder / f"{name}-{number:04d}.png")
     except (OSError, pygame.error) as error:
         raise InputError(str(folder), "", None, f"cannot be written: {error}") from error
-    return number
+    return len(times)
 
 
 def to_gif(table: Table, rollout: Rollout, out: Path, size: tuple[int, int], rate: int) -> None:
     """Write the pictures as a GIF that goes round, holding its last picture; raises InputError."""
     pygame.font.init()
-    pictures = (pygame.surfarray.array3d(picture).swapaxes(0, 1) for picture in frames(table, rollout, size, rate))
-    write_bytes(out, gif.encode((np.ascontiguousarray(picture) for picture in pictures), 100 // rate, _HOLD))
+    palette = gif.median_cut([_pixels(picture) for picture in frames(table, rollout, size, (0.0, rollout.duration))])
+    pictures = map(_pixels, frames(table, rollout, size, _times(rollout, rate)))
+    write_bytes(out, gif.encode(pictures, palette, 100 // rate, _HOLD))
+
+
+def _times(rollout: Rollout, rate: int) -> list[float]:
+    """The moments of the pictures, the shot's end included."""
+    return [number / rate for number in range(math.ceil(rollout.duration * rate) + 1)]
+
+
+def _pixels(picture: pygame.Surface) -> gif.Pixels:
+    return np.ascontiguousarray(pygame.surfarray.array3d(picture).swapaxes(0, 1))

@@ -6,7 +6,7 @@ Source: Graphics Interchange Format, Version 89a, CompuServe 1990.
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -16,31 +16,31 @@ Pixels: TypeAlias = np.ndarray[Any, np.dtype[np.uint8]]
 Ints: TypeAlias = np.ndarray[Any, np.dtype[np.int64]]
 
 # One of the 256 is kept for what has not changed.
-_COLORS = 255
+COLORS = 255
 _CLEAR = 255
 # How many bits of each channel tell colours apart.
 _BITS = 7
 
 
-def encode(pictures: Iterable[Pixels], delay: int, hold: float = 0.0) -> bytes:
+def encode(pictures: Iterable[Pixels], palette: Pixels, delay: int, hold: int = 0) -> bytes:
     """A GIF of pictures of one size that goes round; `delay` is between them, in hundredths of a second.
 
-    The last is held for another `hold` s. All share the colours of the first and the last picture, so that
-    what stands still does not flicker.
+    The last is held for another `hold`. All share a palette, so that what stands still does not flicker;
+    `median_cut` makes one.
     """
-    every = list(pictures)
-    height, width, _ = every[0].shape
-    palette = median_cut(np.concatenate([every[0].reshape(-1, 3), every[-1].reshape(-1, 3)]), _COLORS)
     find = _Finder(palette)
-    out = [b"GIF89a", struct.pack("<HHBBB", width, height, 0xF7, 0, 0)]
-    out.append(np.vstack([palette, np.zeros((256 - len(palette), 3), np.uint8)]).tobytes())
-    out.append(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")
+    out: list[bytes] = []
     before: Pixels | None = None
-    for number, picture in enumerate(every, 1):
+    for picture in pictures:
         indices = find(picture)
-        wait = delay + (round(100 * hold) if number == len(every) else 0)
-        out += _image(indices, before, wait)
+        if before is None:
+            height, width = indices.shape
+            out += [b"GIF89a", struct.pack("<HHBBB", width, height, 0xF7, 0, 0)]
+            out += [palette.tobytes().ljust(3 * 256, b"\0"), b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"]
+        out += _image(indices, before, delay)
         before = indices
+    assert before is not None
+    out += _image(before, before, hold) if hold else []
     return b"".join([*out, b"\x3b"])
 
 
@@ -102,11 +102,13 @@ def lzw(data: bytes) -> bytes:
     return bytes(out) + bits.to_bytes((filled + 7) // 8, "little")
 
 
-def median_cut(colors: Pixels, most: int) -> Pixels:
-    """At most so many colours that stand for all: the box of colours that spreads most is halved, again and again.
+def median_cut(pictures: Sequence[Pixels], most: int = COLORS) -> Pixels:
+    """At most so many colours that stand for all of some pictures.
 
-    How often a colour comes counts by its square root, so that a ball keeps its colour on so much cloth.
+    The box of colours that spreads most is halved, again and again (Heckbert 1982). How often
+    a colour comes counts by its square root, so that a ball keeps its colour on so much cloth.
     """
+    colors = np.concatenate([picture.reshape(-1, 3) for picture in pictures])
     keys, counts = np.unique(_keys(colors), return_counts=True)
     first = np.full(1 << 3 * _BITS, -1, np.int64)
     first[_keys(colors)] = np.arange(len(colors))
