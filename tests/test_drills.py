@@ -10,7 +10,7 @@ import pytest
 from pool2d import Ball, InputError, Layout, Shot, simulate
 from pool2d.catalogue import data_folder
 from pool2d.game.drill_file import best, drills, keep, load
-from pool2d.game.drills import Drill, Rest, Standing, faults, judge, start
+from pool2d.game.drills import Drill, Rest, Run, Standing, begin, faults, judge, start
 from pool2d.game.report import Report
 from pool2d.physics.values import POCKETED
 
@@ -83,6 +83,7 @@ def drill_of(folder: Path, step: str, top: str = "") -> Drill:
         ("rails = 1", "cue|", ""),
         ('pot = "1"\nbanks = 1', "cue-1 1|right 1>", "cue-1 1|top-left_jaw 1>"),
         ("clear = true", "cue-1 1|", "cue-1 cue|"),
+        ('via = ["right", "top"]', "cue|top cue|right", "cue|right cue|left"),
         ("driven = 3", "cue-1 1| 9> cue|", "cue-1 1| 1| cue|"),
     ],
 )  # fmt: skip
@@ -197,6 +198,27 @@ def test_results_that_cannot_be_read_are_left_alone() -> None:
     path.write_text('{"draw": "x", "follow": 2}')
     assert keep("draw", 1)
     assert (best("draw"), best("follow")) == (1, 2)
+
+
+def test_a_run_adds_its_attempts_up(tmp_path: Path) -> None:
+    drill = drill_of(tmp_path, 'first = "1"\n[[steps]]\nfirst = "1"', "tries = 2\n")
+    hit, miss = Shot(0.0, 0.6), Shot(90.0, 0.6)
+
+    def after(run: Run, *shots: Shot) -> Run:
+        for shot in shots:
+            run = run.after(simulate(drill.table, run.standing.layout, shot))
+        return run
+
+    run = after(begin(drill), hit)
+    assert (run.result, run.over, run.results) == (1, False, ())
+    # Set up anew in the middle of an attempt, nothing of it counts.
+    assert (run.again().result, run.again().standing) == (0, start(drill))
+    run = after(run, hit)
+    assert (run.result, run.over, run.results, run.standing.over) == (2, False, (2,), True)
+    run = after(run.again(), hit)
+    assert (run.result, run.over) == (3, False)
+    run = after(run, miss)
+    assert (run.result, run.over, run.results) == (3, True, (2, 1))
 
 
 def test_a_report_of_nothing_meets_no_goal(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ A drill is a TOML file in `assets/drills` or the user's own `drills` folder:
     banks = 1                       # cushions that the potted ball meets before it falls
     driven = 4                      # balls that are driven to a cushion or fall
     clear = true                    # the cue ball meets no cushion
+    via = ["right"]                 # cushions that the cue ball has to meet
     rest = [{ ball = "cue", x = [1.2, 1.4], y = [0.5, 0.8] }]     # where balls come to rest; also
                                                                   # { at = [x, y], within = m }
 
@@ -41,7 +42,8 @@ from .drills import Drill, Rest, Step
 _BEST = "best.json"
 _KEYS = ("name", "text", "position", "steps", "pass", "tries", "solution")
 _STEP_KEYS = (
-    "position", "pot", "least", "pocket", "first", "hits", "rails", "banks", "driven", "clear", "rest", "respot",
+    "position", "pot", "least", "pocket", "first", "hits", "rails", "banks", "driven", "clear", "via",
+    "rest", "respot",
 )  # fmt: skip
 _REST_KEYS = ("ball", "x", "y", "at", "within")
 
@@ -95,6 +97,7 @@ def _step(data: Any, key: str, source: str) -> Step:
         banks=_of(data, "banks", int, source, key, 0),
         driven=_of(data, "driven", int, source, key, 0),
         clear=_of(data, "clear", bool, source, key, False),
+        via=tuple(map(str, _of(data, "via", list, source, key, []))),
         rest=tuple(_rest(entry, f"{key}rest", source) for entry in _of(data, "rest", list, source, key, [])),
         respot=_of(data, "respot", bool, source, key, False),
     )

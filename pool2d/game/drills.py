@@ -50,6 +50,7 @@ class Step:
     banks: int = 0
     driven: int = 0
     clear: bool = False
+    via: tuple[str, ...] = ()
     rest: tuple[Rest, ...] = ()
     respot: bool = False
 
@@ -80,6 +81,42 @@ class Standing(NamedTuple):
     done: int = 0
     missed: str = ""
     over: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """A drill attempted as often as it says: a value; each stroke leads to the next.
+
+    `results` are the steps done in the attempts that are over.
+    """
+
+    drill: Drill
+    standing: Standing
+    results: tuple[int, ...] = ()
+
+    @property
+    def result(self) -> int:
+        """All steps done so far: what is compared with the best."""
+        return sum(self.results) + (0 if self.standing.over else self.standing.done)
+
+    @property
+    def over(self) -> bool:
+        return len(self.results) == self.drill.tries
+
+    def after(self, rollout: Rollout) -> Run:
+        """The run after a stroke; one that ends an attempt leaves the balls as they came to rest."""
+        standing = judge(self.drill, self.standing, rollout)
+        results = (*self.results, standing.done) if standing.over else self.results
+        return Run(self.drill, standing, results)
+
+    def again(self) -> Run:
+        """The run with the balls set up for the next attempt; one that was not over counts for nothing."""
+        return Run(self.drill, start(self.drill), self.results)
+
+
+def begin(drill: Drill) -> Run:
+    """A run of which nothing is played."""
+    return Run(drill, start(drill))
 
 
 def start(drill: Drill) -> Standing:
@@ -115,6 +152,7 @@ def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
         "Not every ball was hit.": all(any(_is(table, b, wanted) for b in struck) for wanted in step.hits),
         "Too few cushions before the ball.": _rails(table, report, step.hits) >= step.rails,
         "The cue ball met a cushion.": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
+        "The cue ball did not go round as it should.": set(step.via) <= {c.other for c in report.of(report.cue)},
         "Too few balls reached a cushion.": len(report.driven) >= step.driven,
         "The balls did not come to rest where they should.": all(rest.holds(layout) for rest in step.rest),
     }
