@@ -9,8 +9,8 @@ from .assets import asset, assets
 from .errors import InputError, suggest
 from .folders import data_folder
 
-TABLES, CONDITIONS = "tables", "conditions"
-_WHAT = {TABLES: "table", CONDITIONS: "conditions"}
+TABLES, CONDITIONS, DRILLS, POSITIONS = "tables", "conditions", "drills", "positions"
+_WHAT = {TABLES: "table", CONDITIONS: "conditions", DRILLS: "drill", POSITIONS: "position"}
 # Names that Windows keeps for devices, whatever their ending.
 _DEVICES = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 

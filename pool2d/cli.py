@@ -1,11 +1,12 @@
-"""The command line: play | simulate | render | tables."""
+"""The command line: play | simulate | render | replay | tables."""
 
 from __future__ import annotations
 
 import argparse
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,11 +17,13 @@ from .knobs import Knob, apply
 # Tables and physics are read by the commands themselves: the window opens first.
 if TYPE_CHECKING:
     from .physics.rollout import Rollout
+    from .scenario import Scenario
     from .table import Table
 
 _EVENTS = Knob(0, 1, 1e9, "events", "")
 # Points of all paths together that `--sample` writes.
 _MOST = 2_000_000
+_SHOTS = Knob(0, 1, 1e6, "", "")
 _STEP = Knob(0.0, 1e-6, 1e6, "s", "")
 
 
@@ -61,13 +64,11 @@ def _play(arguments: argparse.Namespace) -> int:
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
-    from .scenario import load_scenario
-
     overrides = _overrides(arguments.set)
     limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
-    for path in arguments.files:
-        rollout = load_scenario(path, overrides, _conditions(arguments)).simulate(limit)
+    for path, scenario in _scenarios(arguments, overrides):
+        rollout = scenario.simulate(limit)
         if step is not None and rollout.duration / step * len(rollout.start) > _MOST:
             allowed = f"the paths would have more than {_MOST} points; take a longer step"
             raise InputError("command line", "--sample", step, allowed)
@@ -78,16 +79,47 @@ def _simulate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iterator[tuple[str, Scenario]]:
+    """What is to be simulated: the files, or what `--position` and `--shot` say; each with its name."""
+    from .position import read, read_shot
+    from .scenario import load_scenario, scenario_of
+
+    conditions = _conditions(arguments)
+    shot = None if arguments.shot is None else read_shot(arguments.shot, "--shot")
+    if arguments.position is None:
+        if shot is not None or not arguments.files:
+            raise InputError("command line", "", None, "allowed are scenario files, or --position and --shot")
+        yield from ((path, load_scenario(path, overrides, conditions)) for path in arguments.files)
+        return
+    if arguments.files:
+        raise InputError("command line", "", None, "allowed are scenario files or --position, not both")
+    position = read(arguments.position, "--position")
+    if shot is not None:
+        position = replace(position, shot=shot)
+    yield "position", scenario_of(position, overrides, conditions)
+
+
 def _render(arguments: argparse.Namespace) -> int:
     from .scenario import load_scenario
     from .ui.render import render
 
-    width, _, height = arguments.size.partition("x")
-    size = Knob(0, 64, 8192, "pixels", "")
-    numbers = (int(_number(size, width, "--size")), int(_number(size, height, "--size")))
     scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
-    render(scenario, Path(arguments.out), numbers)
+    render(scenario, Path(arguments.out), _size(arguments.size))
     return 0
+
+
+def _replay(arguments: argparse.Namespace) -> int:
+    from . import replay
+
+    path = Path(arguments.file)
+    number = None if arguments.shot is None else _whole(_SHOTS, arguments.shot, "--shot")
+    if arguments.verify:
+        return replay.check(path)
+    if arguments.png:
+        return replay.to_png(path, Path(arguments.png), number, _size(arguments.size or "960x540"))
+    if arguments.gif:
+        return replay.to_gif(path, Path(arguments.gif), number, _size(arguments.size or "640x360"))
+    return replay.show(path)
 
 
 def _tables(arguments: argparse.Namespace) -> int:
@@ -129,7 +161,9 @@ def _parser() -> argparse.ArgumentParser:
     play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
 
     simulate = command("simulate", _simulate, "Play scenario files without a screen and tell what happened.")
-    simulate.add_argument("files", nargs="+", metavar="FILE", help="a scenario, .toml or .json")
+    simulate.add_argument("files", nargs="*", metavar="FILE", help="a scenario, .toml or .json")
+    simulate.add_argument("--position", metavar="TEXT", help="instead of a file: 'pool-9ft cue@0.6,0.6 1@1.9,0.65'")
+    simulate.add_argument("--shot", metavar="TEXT", help="the shot to play there: 'cue:angle,speed,side,height'")
     simulate.add_argument("--json", action="store_true", help="one line of JSON for each file")
     simulate.add_argument("--sample", metavar="DT", help="add each ball's path, sampled every DT seconds")
     simulate.add_argument("--events", metavar="N", help="stop after N events")
@@ -138,6 +172,17 @@ def _parser() -> argparse.ArgumentParser:
     render.add_argument("file", metavar="FILE", help="a scenario, .toml or .json")
     render.add_argument("out", metavar="OUT.png", help="the picture to write")
     render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
+
+    replay = commands.add_parser("replay", help="Look at a recorded match, verify it, or export a shot.")
+    replay.set_defaults(run=_replay)
+    replay.add_argument("file", metavar="FILE", help="a record")
+    what = replay.add_mutually_exclusive_group()
+    what.add_argument("--list", action="store_true", help="list the shots and what came of them")
+    what.add_argument("--verify", action="store_true", help="play it again, and name where it first differs")
+    what.add_argument("--png", metavar="DIR", help="write a shot as pictures, 25 a second")
+    what.add_argument("--gif", metavar="FILE", help="write a shot as a moving picture")
+    replay.add_argument("--shot", metavar="N", help="which shot, counted from 1; without it the last")
+    replay.add_argument("--size", metavar="WxH", help="of the pictures, in pixels (960x540; of a GIF 640x360)")
 
     tables = command("tables", _tables, "List the tables, show one, check files, or start a table of your own.")
     tables.add_argument("name", nargs="?", metavar="NAME", help="show this one: every knob, and where it comes from")
@@ -190,6 +235,13 @@ def _whole(knob: Knob, text: str, name: str) -> int:
     if not number.is_integer():
         raise InputError("command line", name, text, f"allowed is a whole number; {knob.allowed()}")
     return int(number)
+
+
+def _size(text: str) -> tuple[int, int]:
+    """`--size WxH` as two numbers."""
+    width, _, height = text.partition("x")
+    size = Knob(0, 64, 8192, "pixels", "")
+    return int(_number(size, width, "--size")), int(_number(size, height, "--size"))
 
 
 def _as_dict(rollout: Rollout, step: float | None) -> dict[str, Any]:

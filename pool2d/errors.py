@@ -22,7 +22,7 @@ class InputError(ValueError):
         self.line = line
         where = f"{source}, line {line}" if line else source
         said = f"{where}: {_clipped(key, 100)} = {_clipped(_repr(value), 60)}: {allowed}"
-        super().__init__(_line(said if key else f"{source}: {allowed}"))
+        super().__init__(_line(said if key else f"{where}: {allowed}"))
 
     def at(self, source: str) -> InputError:
         """The same complaint, said of another source."""

@@ -21,23 +21,32 @@ _LARGEST = 1 << 20
 _LONG_KEY = re.compile(rb"""(?<![\w"'.-])(?:[\w"'-]++\s*+\.\s*+){200}""")
 
 
-def read_toml(path: Path) -> dict[str, Any]:
-    """A TOML file's content; raises InputError where it cannot be read or is not TOML."""
+def read_bytes(path: Path, most: int = _LARGEST) -> bytes:
+    """A regular file's content; raises InputError where it cannot be read or has more than `most` bytes."""
     try:
         # Opening a pipe would wait for its other end.
         if not stat.S_ISREG(os.stat(path).st_mode) and not path.is_dir():
             raise InputError(str(path), "", None, "cannot be read: not a regular file")
         with path.open("rb") as file:
-            content = file.read(_LARGEST + 1)
-        if len(content) > _LARGEST:
-            raise InputError(str(path), "", None, f"too large; allowed are {_LARGEST >> 20} MiB")
-        if _LONG_KEY.search(content):
-            raise InputError(str(path), "", None, "not a TOML file: a key has too many parts")
-        return tomllib.loads(content.decode("utf-8"))
+            content = file.read(most + 1)
     except OSError as error:
         raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
     except InputError:
         raise
+    except ValueError as error:
+        raise InputError(str(path), "", None, f"cannot be read: {error}") from error
+    if len(content) > most:
+        raise InputError(str(path), "", None, f"too large; allowed are {most >> 20} MiB")
+    return content
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """A TOML file's content; raises InputError where it cannot be read or is not TOML."""
+    content = read_bytes(path)
+    if _LONG_KEY.search(content):
+        raise InputError(str(path), "", None, "not a TOML file: a key has too many parts")
+    try:
+        return tomllib.loads(content.decode("utf-8"))
     except (ValueError, RecursionError) as error:
         raise InputError(str(path), "", None, f"not a TOML file: {error}") from error
 
@@ -59,10 +68,19 @@ def line_of(path: Path, key: str) -> int:
 
 
 def write_text(path: Path, text: str, new: bool = False) -> None:
-    """Write a file whole or not at all; `new` refuses to replace one.
+    """Write a text file whole or not at all; `new` refuses to replace one.
 
     Raises InputError where the file is there, with `new`, or cannot be written.
     """
+    try:
+        content = text.encode("utf-8")
+    except ValueError as error:
+        raise InputError(str(path), "", None, f"cannot be written: {error}") from error
+    write_bytes(path, content, new)
+
+
+def write_bytes(path: Path, content: bytes, new: bool = False) -> None:
+    """Write a file whole or not at all, as `write_text`."""
     # Slow to read, and of no use before the window is open.
     import tempfile
 
@@ -71,8 +89,8 @@ def write_text(path: Path, text: str, new: bool = False) -> None:
         # The ending keeps a half-written file from being taken for a preset.
         handle, draft = tempfile.mkstemp(".part", "." + path.name[:40], path.parent)
         try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(text)
+            with os.fdopen(handle, "wb") as file:
+                file.write(content)
                 file.flush()
                 os.fsync(file.fileno())
             _put(draft, path, new)

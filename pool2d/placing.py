@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from .errors import InputError
 from .knobs import Knob
 from .physics.detect import Pocket
-from .physics.values import MOTION_FIELDS, Ball, Layout
+from .physics.values import MOTION_FIELDS, POCKETED, Ball, Layout
 
 if TYPE_CHECKING:
     from .table import Table
@@ -52,6 +52,23 @@ def settle(table: Table, layout: Layout) -> Layout:
         if not _set_apart(table, balls):
             return layout.put(*(ball for ball, old in zip(balls, given, strict=True) if ball is not old))
     raise InputError(table.source, "balls", [ball.id for ball in given], "the balls overlap and have no room to part")
+
+
+def mirrored(table: Table, layout: Layout, ends: bool = False) -> Layout:
+    """The layout seen in a mirror: its sides changed over, or its ends.
+
+    Raises InputError where the table is not as symmetric.
+    """
+    size = table.knobs.table
+    balls = (
+        ball._replace(x=size.length - ball.x) if ends else ball._replace(y=size.width - ball.y)
+        for ball in map(_at_rest, layout.values())
+    )
+    return settle(table, Layout(balls))
+
+
+def _at_rest(ball: Ball) -> Ball:
+    return ball.still()._replace(phase=POCKETED) if ball.phase == POCKETED else ball.still()
 
 
 def _check(table: Table, ball: Ball) -> float:

@@ -1,4 +1,4 @@
-"""Scenario files: a table, balls and perhaps a shot, as TOML or JSON."""
+"""Scenario files: a table, balls and perhaps a shot, as TOML or JSON, or as one line of text (see `position`)."""
 
 from __future__ import annotations
 
@@ -15,10 +15,12 @@ from .physics.rollout import Rollout
 from .physics.simulate import simulate
 from .physics.values import MOTION_FIELDS, Ball, Layout, Shot
 from .placing import RANGES
+from .position import Position
+from .position import read as read_position
 from .preset import load_table
 from .table import Table
 
-_KEYS = ("table", "conditions", "set", "balls", "shot")
+_KEYS = ("table", "conditions", "set", "position", "balls", "shot")
 _BALL_KEYS = ("id", *MOTION_FIELDS, "radius", "mass")
 _SHOT_KEYS = tuple(Shot.__dataclass_fields__)
 
@@ -52,6 +54,22 @@ def load_scenario(
         raise error if error.source.endswith(".toml") and error.source != source else error.at(source) from None
 
 
+def scenario_of(
+    position: Position, overrides: Mapping[str, Any] | None = None, conditions: Sequence[str] = ()
+) -> Scenario:
+    """The scenario that a position tells, on the table it names, else pool-9ft; raises InputError.
+
+    `overrides` and `conditions` come on top of the position's own.
+    """
+    table = load_table(
+        position.table or "pool-9ft",
+        {**position.set, **(overrides or {})},
+        (*position.conditions, *conditions),
+    )
+    layout = table.settle(position.layout)
+    return Scenario(table, layout, _on(position.shot, layout, "position"))
+
+
 def _read(path: Path) -> dict[str, Any]:
     if path.suffix == ".toml":
         return read_toml(path)
@@ -72,7 +90,11 @@ def _scenario(
     data: Mapping[str, Any], source: str, overrides: Mapping[str, Any], conditions: Sequence[str]
 ) -> Scenario:
     _known(data, _KEYS, source, "")
-    name = data.get("table", "pool-9ft")
+    text = data.get("position")
+    if text is not None and not isinstance(text, str):
+        raise InputError(source, "position", text, "allowed is a text such as 'pool-9ft cue@0.6,0.3 1@1.9,0.6'")
+    position = Position() if text is None else read_position(text, source)
+    name = data.get("table", position.table or "pool-9ft")
     if not isinstance(name, str):
         raise InputError(source, "table", name, "allowed is a preset's name or a path to a .toml file")
     if name.endswith(".toml") and not Path(name).is_absolute():
@@ -84,18 +106,20 @@ def _scenario(
     given = data.get("conditions", [])
     if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
         raise InputError(source, "conditions", given, "allowed is a list of names")
-    table = load_table(name, {**own, **overrides}, (*given, *conditions))
+    table = load_table(name, {**position.set, **own, **overrides}, (*position.conditions, *given, *conditions))
     entries = data.get("balls", [])
     if not isinstance(entries, list):
         raise InputError(source, "balls", entries, "allowed is a list of balls")
-    balls: dict[str, Ball] = {}
+    balls = dict(position.layout)
     for number, entry in enumerate(entries):
         ball = _ball(entry, source, f"balls[{number}]")
         if ball.id in balls:
             raise InputError(source, f"balls[{number}].id", ball.id, "another ball has this id")
         balls[ball.id] = ball
     layout = table.settle(Layout(balls.values()))
-    return Scenario(table, layout, _shot(data["shot"], layout, source) if "shot" in data else None)
+    if "shot" in data:
+        return Scenario(table, layout, _shot(data["shot"], layout, source))
+    return Scenario(table, layout, _on(position.shot, layout, source))
 
 
 def _ball(entry: Any, source: str, key: str) -> Ball:
@@ -124,7 +148,13 @@ def _shot(entry: Any, layout: Layout, source: str) -> Shot:
             raise InputError(source, f"shot.{key}", value, f"allowed is a {'ball' if key == 'ball' else 'number'}")
     shot = Shot(**entry)
     shot.check(source)
-    if shot.ball not in layout:
+    _on(shot, layout, source)
+    return shot
+
+
+def _on(shot: Shot | None, layout: Layout, source: str) -> Shot | None:
+    """The shot; raises InputError where its ball is not there."""
+    if shot is not None and shot.ball not in layout:
         raise InputError(source, "shot.ball", shot.ball, suggest(shot.ball, layout))
     return shot
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...physics.values import Layout
+from ...physics.values import POCKETED, Ball, Layout
 from ..report import Report
 from .base import Rules, Ruling, State
 from .spotting import ANYWHERE, spot_balls
@@ -30,6 +30,18 @@ class Practice(Rules[State]):
             return self._racked(state)._replace(points=(scored,), notes=notes)
         state = self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout))
         return Ruling(state, layout, notes, spotted=spotted, points=(scored,))
+
+    def arranged(self, state: State, layout: Layout) -> Ruling:
+        """What follows when balls are put somewhere by hand; a cue ball that is missing is in hand.
+
+        Raises InputError where they cannot stand there.
+        """
+        cue = self.table.furniture.cue
+        if cue not in layout:
+            x, y = self.table.furniture.spots["head"]
+            layout = layout.put(Ball(cue, x, y, phase=POCKETED))
+        layout = self.table.settle(layout)
+        return Ruling(self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout)), layout, points=(0,))
 
     def _racked(self, state: State) -> Ruling:
         state, layout = self.racked(state)

@@ -1,0 +1,88 @@
+"""What players do in a match, as values that JSON holds to the bit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+from ..errors import InputError, suggest
+from ..physics.values import Layout, Shot
+from ..position import read, read_shot, write, write_shot
+from .report import Call
+from .rules import Choice
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A shot, and what was called before it."""
+
+    shot: Shot
+    call: Call = field(default_factory=Call)
+
+
+@dataclass(frozen=True, slots=True)
+class Concede:
+    """A player gives the frame up."""
+
+    player: int
+
+
+@dataclass(frozen=True, slots=True)
+class NextFrame:
+    """The balls are racked for the next frame."""
+
+
+@dataclass(frozen=True, slots=True)
+class Arrange:
+    """In practice: the balls are put where the layout has them."""
+
+    layout: Layout
+
+
+Action: TypeAlias = Stroke | Choice | Concede | NextFrame | Arrange
+
+
+def as_dict(action: Action) -> dict[str, Any]:
+    """The action in JSON's types; `from_dict` reads it."""
+    if isinstance(action, Stroke):
+        call = {name: value for name, value in action.call.as_dict().items() if value}
+        return {"do": "stroke", "shot": write_shot(action.shot), **({"call": call} if call else {})}
+    if isinstance(action, Choice):
+        place = {"x": action.x, "y": action.y} if action.key == "place" else {}
+        return {"do": "choose", "key": action.key, **place}
+    if isinstance(action, Concede):
+        return {"do": "concede", "player": action.player}
+    if isinstance(action, Arrange):
+        return {"do": "arrange", "position": write(action.layout)}
+    return {"do": "next"}
+
+
+def from_dict(data: Mapping[str, Any], source: str) -> Action:
+    """The action that `as_dict` made it of; raises InputError."""
+    do = data.get("do")
+    if do == "stroke":
+        call = _of(data, "call", dict, source, {})
+        for name, value in call.items():
+            if type(value) is not type(Call().as_dict().get(name)):
+                raise InputError(source, f"call.{name}", value, "allowed are ball, pocket, safety and push")
+        return Stroke(read_shot(_of(data, "shot", str, source), source), Call(**call))
+    if do == "choose":
+        x, y = (_of(data, name, float, source, 0.0) for name in ("x", "y"))
+        return Choice(_of(data, "key", str, source), x, y)
+    if do == "concede":
+        return Concede(_of(data, "player", int, source))
+    if do == "arrange":
+        text = _of(data, "position", str, source)
+        return Arrange(read(text, source).layout if text else Layout())
+    if do == "next":
+        return NextFrame()
+    raise InputError(source, "do", do, suggest(str(do), ("stroke", "choose", "concede", "next", "arrange")))
+
+
+def _of(data: Mapping[str, Any], key: str, kind: type, source: str, default: Any = None) -> Any:
+    """The value of a key, of the wanted type; raises InputError."""
+    value = data.get(key, default)
+    if type(value) is not kind:
+        raise InputError(source, key, value, f"allowed is a {kind.__name__}")
+    return value

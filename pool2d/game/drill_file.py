@@ -1,0 +1,165 @@
+"""Drill files, shipped or the user's own, and the best results kept of them.
+
+A drill is a TOML file in `assets/drills` or the user's own `drills` folder:
+
+    name = "Stop shot"
+    text = "Pot the 1 and leave the cue ball where it was."
+    position = "pool-9ft cue@1.0,0.635 1@1.4,0.635"
+
+    [[steps]]                       # what each stroke has to do, in order
+    pot = "1"                       # a ball, a group, or "any", that falls; `least` of them, 1 if not said
+    pocket = "top-right"            # into this pocket
+    first = "1"                     # a ball or group that is hit first
+    hits = ["red", "yellow"]        # balls that the cue ball has to hit
+    rails = 3                       # cushions that the cue ball meets before the last of `hits`, or before any ball
+    banks = 1                       # cushions that the potted ball meets before it falls
+    driven = 4                      # balls that are driven to a cushion or fall
+    clear = true                    # the cue ball meets no cushion
+    via = ["right"]                 # cushions that the cue ball has to meet
+    rest = [{ ball = "cue", x = [1.2, 1.4], y = [0.5, 0.8] }]     # where balls come to rest; also
+                                                                  # { at = [x, y], within = m }
+
+A step may give a `position` of its own; otherwise the balls stay as they lie. `respot = true` spots what fell.
+The cue ball must never fall. `pass` is how many steps make the goal, all if not said; `tries` how often one
+attempts it, the results adding up; `solution` are strokes that reach the goal.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from .. import catalogue
+from ..errors import InputError, suggest
+from ..files import read_bytes, read_toml, write_text
+from ..folders import data_folder
+from ..position import read, read_shot
+from ..scenario import scenario_of
+from .drills import Drill, Rest, Step
+
+_BEST = "best.json"
+_KEYS = ("name", "text", "position", "steps", "pass", "tries", "solution")
+_STEP_KEYS = (
+    "position", "pot", "least", "pocket", "first", "hits", "rails", "banks", "driven", "clear", "via",
+    "rest", "respot",
+)  # fmt: skip
+_REST_KEYS = ("ball", "x", "y", "at", "within")
+
+
+def drills() -> list[str]:
+    """The names of all drills, the shipped ones first, then the user's own."""
+    return catalogue.shipped(catalogue.DRILLS) + catalogue.own(catalogue.DRILLS)
+
+
+def load(name: str) -> Drill:
+    """A drill by name, or from a .toml file; raises InputError."""
+    path = catalogue.find(catalogue.DRILLS, name)
+    source, data = str(path), read_toml(path)
+    _known(data, _KEYS, source, "")
+    position = read(_of(data, "position", str, source, ""), source)
+    scenario = scenario_of(position)
+    entries = _of(data, "steps", list, source, "")
+    if not entries:
+        raise InputError(source, "steps", entries, "allowed is one step or more")
+    steps = tuple(_step(entry, f"steps[{i}].", source) for i, entry in enumerate(entries))
+    goal, tries = _of(data, "pass", int, source, "", len(steps)), _of(data, "tries", int, source, "", 10)
+    for key, value, most in (("pass", goal, len(steps)), ("tries", tries, 100)):
+        if not 1 <= value <= most:
+            raise InputError(source, key, value, f"allowed is 1 to {most}")
+    return Drill(
+        path.stem,
+        _of(data, "name", str, source, "", path.stem),
+        _of(data, "text", str, source, "", ""),
+        scenario.table,
+        scenario.layout,
+        steps,
+        goal,
+        tries,
+        tuple(read_shot(str(text), source) for text in _of(data, "solution", list, source, "", [])),
+    )
+
+
+def _step(data: Any, key: str, source: str) -> Step:
+    if not isinstance(data, dict):
+        raise InputError(source, key.rstrip("."), data, "allowed is a section with " + ", ".join(_STEP_KEYS))
+    _known(data, _STEP_KEYS, source, key)
+    text = _of(data, "position", str, source, key, "")
+    return Step(
+        position=read(text, source) if text else None,
+        pot=_of(data, "pot", str, source, key, ""),
+        least=_of(data, "least", int, source, key, 1),
+        pocket=_of(data, "pocket", str, source, key, ""),
+        first=_of(data, "first", str, source, key, ""),
+        hits=tuple(map(str, _of(data, "hits", list, source, key, []))),
+        rails=_of(data, "rails", int, source, key, 0),
+        banks=_of(data, "banks", int, source, key, 0),
+        driven=_of(data, "driven", int, source, key, 0),
+        clear=_of(data, "clear", bool, source, key, False),
+        via=tuple(map(str, _of(data, "via", list, source, key, []))),
+        rest=tuple(_rest(entry, f"{key}rest", source) for entry in _of(data, "rest", list, source, key, [])),
+        respot=_of(data, "respot", bool, source, key, False),
+    )
+
+
+def _rest(data: Any, key: str, source: str) -> Rest:
+    if not isinstance(data, dict):
+        raise InputError(source, key, data, "allowed is a section with " + ", ".join(_REST_KEYS))
+    _known(data, _REST_KEYS, source, key + ".")
+    pairs: dict[str, Any] = {}
+    for name in ("x", "y", "at"):
+        if name in data:
+            pair = data[name]
+            if not (isinstance(pair, list) and len(pair) == 2 and all(type(one) in (int, float) for one in pair)):
+                raise InputError(source, f"{key}.{name}", pair, "allowed are two numbers, m")
+            pairs[name] = (float(pair[0]), float(pair[1]))
+    within = data.get("within", math.inf)
+    if type(within) not in (int, float):
+        raise InputError(source, f"{key}.within", within, "allowed is a number, m")
+    return Rest(_of(data, "ball", str, source, key + ".", "cue"), within=float(within), **pairs)
+
+
+def _of(data: Mapping[str, Any], key: str, kind: type, source: str, prefix: str, default: Any = None) -> Any:
+    """The value of a key, of the wanted type; raises InputError."""
+    value = data.get(key, default)
+    if type(value) is not kind:
+        raise InputError(source, prefix + key, value, f"allowed is a {kind.__name__}")
+    return value
+
+
+def _known(data: Mapping[str, Any], keys: tuple[str, ...], source: str, prefix: str) -> None:
+    for key in data:
+        if key not in keys:
+            raise InputError(source, prefix + key, data[key], suggest(key, keys))
+
+
+def best(drill: str) -> int | None:
+    """The best result kept of a drill; None where there is none, or what is kept cannot be read."""
+    value = _results().get(drill)
+    return value if type(value) is int else None
+
+
+def keep(drill: str, result: int) -> bool:
+    """Keep a result if it is better than the best; whether it was. Raises InputError where it cannot be written."""
+    before = best(drill)
+    if before is not None and before >= result:
+        return False
+    path, results = _results_path(), _results()
+    if not results and path.exists():
+        raise InputError(str(path), "", None, "not a file of results; it is left as it is")
+    write_text(path, json.dumps({**results, drill: result}, indent=1, sort_keys=True) + "\n")
+    return True
+
+
+def _results_path() -> Path:
+    return data_folder() / catalogue.DRILLS / _BEST
+
+
+def _results() -> dict[str, Any]:
+    try:
+        data = json.loads(read_bytes(_results_path()))
+    except (InputError, ValueError, RecursionError):
+        return {}
+    return data if isinstance(data, dict) else {}

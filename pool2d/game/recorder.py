@@ -1,0 +1,176 @@
+"""Writing records: a match whose every action is on the disk before the game goes on."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import time
+from pathlib import Path
+
+from ..errors import InputError
+from .actions import Action
+from .match import Match, Moment
+from .record import ENDING, LEAVE, REDO, UNDO, body_of, header, load, matches_folder, restored, seal
+
+
+class Recorder:
+    """A match and the file it is written to.
+
+    Where the disk refuses a line, `fault` says so, the file is left with the lines it has, and the match
+    goes on without.
+    """
+
+    def __init__(self, match: Match, path: Path, file: int, lines: int, total: str) -> None:
+        self.match = match
+        self.path = path
+        self.fault: InputError | None = None
+        self._file = file
+        self._lines = lines
+        self._sum = total
+
+    def play(self, action: Action) -> Moment:
+        """Carry out an action and write it; raises as `Match.play`, nothing being written then."""
+        moment = self.match.play(action)
+        self._write(body_of(self.match))
+        return moment
+
+    def undo(self) -> bool:
+        """`Match.undo`, written."""
+        return self._did(UNDO, self.match.undo())
+
+    def redo(self) -> bool:
+        """`Match.redo`, written."""
+        return self._did(REDO, self.match.redo())
+
+    def leave(self) -> None:
+        """Write that the match will not be gone on with: it is no longer offered."""
+        self._did(LEAVE, True)
+
+    def close(self) -> None:
+        """Let go of the file. The record is whole at any time; nothing is left to be written."""
+        if self._file >= 0:
+            os.close(self._file)
+            self._file = -1
+
+    def __enter__(self) -> Recorder:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def _did(self, do: str, done: bool) -> bool:
+        if done:
+            self._write(body_of(self.match, do))
+        return done
+
+    def _write(self, body: dict[str, object]) -> None:
+        """Append a line and wait until it is on the disk."""
+        if self._file < 0:
+            return
+        size = os.fstat(self._file).st_size
+        line, total = seal({"n": self._lines, **body}, self._sum)
+        try:
+            rest = memoryview(line)
+            while rest:
+                rest = rest[os.write(self._file, rest) :]
+            os.fsync(self._file)
+        except OSError as error:
+            with contextlib.suppress(OSError):
+                os.ftruncate(self._file, size)
+            self.fault = InputError(str(self.path), "", None, f"cannot be written: {error.strerror}")
+            self.close()
+            return
+        self._lines += 1
+        self._sum = total
+
+
+def record(match: Match, path: Path | None = None) -> Recorder:
+    """Start the record of a match that has just begun, in the player's folder or at `path`.
+
+    Raises InputError where it cannot be written, or is there already.
+    """
+    file, given = _created(match, path)
+    recorder = Recorder(match, given, file, 0, "")
+    try:
+        _lock(file, given)
+    except InputError:
+        recorder.close()
+        raise
+    recorder._write(header(match))
+    _flush_folder(given.parent)
+    return recorder
+
+
+def resume(path: Path) -> Recorder:
+    """Go on with a match where its record ends; a line that a kill has cut off is dropped.
+
+    Raises InputError, the file being left as it is, where it is not a good record, does not play as recorded
+    or is being played elsewhere.
+    """
+    load(path, torn=True)
+    try:
+        file = os.open(path, _APPEND)
+        try:
+            _lock(file, path)
+            kept = load(path, torn=True)
+            match = restored(kept)
+            os.ftruncate(file, kept.size)
+        except BaseException:
+            os.close(file)
+            raise
+    except OSError as error:
+        raise InputError(str(path), "", None, f"cannot be written: {error.strerror}") from error
+    return Recorder(match, path, file, len(kept.entries) + 1, kept.sum)
+
+
+def unfinished() -> list[Path]:
+    """The player's records that can be gone on with, the latest first; none that is damaged."""
+    found = []
+    for path in matches_folder().glob("*" + ENDING):
+        with contextlib.suppress(InputError, OSError):
+            kept = load(path, torn=True)
+            if kept.entries and not kept.over:
+                found.append((path.stat().st_mtime_ns, path))
+    return [path for _, path in sorted(found, reverse=True)]
+
+
+_APPEND = os.O_APPEND | os.O_WRONLY | getattr(os, "O_BINARY", 0)
+
+
+def _created(match: Match, path: Path | None) -> tuple[int, Path]:
+    """A new file, open to be written; without a path one named after the time and the game."""
+    stamp = time.strftime("%Y-%m-%d %H.%M.%S ") + match.setup.game
+    tries = [path] if path else [matches_folder() / f"{stamp}{again}{ENDING}" for again in ("", *range(2, 100))]
+    for given in tries:
+        try:
+            given.parent.mkdir(parents=True, exist_ok=True)
+            if not given.exists():
+                return os.open(given, _APPEND | os.O_CREAT | os.O_EXCL, 0o644), given
+        except OSError as error:
+            raise InputError(str(given), "", None, f"cannot be written: {error.strerror}") from error
+    raise InputError(str(tries[-1]), "", None, "is there already; nothing was written")
+
+
+def _lock(file: int, path: Path) -> None:
+    """Keep others from writing the file, where the system can; raises InputError where they do."""
+    if sys.platform == "win32":
+        return
+    import fcntl
+
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise InputError(str(path), "", None, "is being played in another window") from None
+    except OSError:
+        return  # A disk that knows no locks.
+
+
+def _flush_folder(folder: Path) -> None:
+    """Wait until a new file's name is on the disk too, where the system can."""
+    with contextlib.suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)

@@ -1,0 +1,29 @@
+"""Positions that the player keeps: scenario files of one line, by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .. import catalogue
+from ..files import to_toml, write_text
+from ..physics.values import Layout, Shot
+from ..position import write
+from ..scenario import Scenario, load_scenario
+from ..table import Table
+
+
+def positions() -> list[str]:
+    """The names of the positions kept."""
+    return catalogue.own(catalogue.POSITIONS)
+
+
+def save(name: str, table: Table, layout: Layout, shot: Shot | None = None) -> Path:
+    """Keep a position, and perhaps a shot, replacing the one of that name; returns its file. Raises InputError."""
+    path = catalogue.own_path(catalogue.POSITIONS, name)
+    write_text(path, to_toml({"position": write(layout, shot, table)}))
+    return path
+
+
+def load(name: str) -> Scenario:
+    """The position of a name, or of a scenario file; raises InputError."""
+    return load_scenario(catalogue.find(catalogue.POSITIONS, name))

@@ -1,0 +1,63 @@
+"""A shot as pictures, one for each moment: as numbered files, or as one that moves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pygame
+
+from ..errors import InputError
+from ..files import write_bytes
+from ..physics.rollout import Rollout
+from ..table import Table
+from . import ball_art, gif, table_art
+from .view import fit
+
+# How long the last picture is held, in hundredths of a second.
+_HOLD = 100
+
+
+def frames(table: Table, rollout: Rollout, size: tuple[int, int], times: Iterable[float]) -> Iterator[pygame.Surface]:
+    """The table at moments of a shot, s."""
+    view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
+    background = table_art.draw(table, size, view)
+    for t in times:
+        picture = background.copy()
+        for ball in rollout.at(t).on_table():
+            look = table.furniture.looks.get(ball.id)
+            place = view.to_screen(ball.x, ball.y)
+            ball_art.draw(picture, ball.id, place, table.body_of(ball)[0] * view.scale, look=look)
+        yield picture
+
+
+def to_png(table: Table, rollout: Rollout, folder: Path, name: str, size: tuple[int, int], rate: int) -> int:
+    """Write the pictures as name-0001.png and so on; returns how many. Raises InputError."""
+    pygame.font.init()
+    times = _times(rollout, rate)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for number, picture in enumerate(frames(table, rollout, size, times), 1):
+            pygame.image.save(picture, folder / f"{name}-{number:04d}.png")
+    except (OSError, pygame.error) as error:
+        raise InputError(str(folder), "", None, f"cannot be written: {error}") from error
+    return len(times)
+
+
+def to_gif(table: Table, rollout: Rollout, out: Path, size: tuple[int, int], rate: int) -> None:
+    """Write the pictures as a GIF that goes round, holding its last picture; raises InputError."""
+    pygame.font.init()
+    palette = gif.median_cut([_pixels(picture) for picture in frames(table, rollout, size, (0.0, rollout.duration))])
+    pictures = map(_pixels, frames(table, rollout, size, _times(rollout, rate)))
+    write_bytes(out, gif.encode(pictures, palette, 100 // rate, _HOLD))
+
+
+def _times(rollout: Rollout, rate: int) -> list[float]:
+    """The moments of the pictures, the shot's end included."""
+    return [number / rate for number in range(math.ceil(rollout.duration * rate) + 1)]
+
+
+def _pixels(picture: pygame.Surface) -> gif.Pixels:
+    return np.ascontiguousarray(pygame.surfarray.array3d(picture).swapaxes(0, 1))

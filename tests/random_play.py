@@ -1,0 +1,27 @@
+"""Matches played by dice, for the tests of matches and records."""
+
+from __future__ import annotations
+
+import random
+
+from benchmarks.matches import SHORT, place, stroke, table_for
+from pool2d.game.actions import Action, Concede, NextFrame, Stroke
+from pool2d.game.match import Match, Setup
+from pool2d.game.rules import AIM, OVER, PLACE, Choice
+
+
+def new_match(game: str, seed: int, race: int = 1) -> Match:
+    """A match that nobody has played yet."""
+    return Match(table_for(game), Setup(game, SHORT.get(game, {}), race=race, seed=seed))
+
+
+def random_action(match: Match, rng: random.Random) -> Action:
+    """Something that may be done now."""
+    ask, ruling = match.ask, match.now.ruling
+    if ask.kind == OVER:
+        return NextFrame()
+    if rng.random() < 0.005:
+        return Concede(ask.who)
+    if ask.kind == AIM:
+        return Stroke(*stroke(match.table, ruling, rng))
+    return place(match.table, ruling, rng) if ask.kind == PLACE else Choice(rng.choice(ask.options))

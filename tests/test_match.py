@@ -1,0 +1,221 @@
+"""Matches: whose turn, which frame, what is counted, and the way back."""
+
+from __future__ import annotations
+
+import json
+import random
+from dataclasses import replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pool2d import Ball, InputError, Layout, Shot, Table
+from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stroke, as_dict, from_dict
+from pool2d.game.match import LOSER, WINNER, Match, Moment, Setup, setup_of
+from pool2d.game.report import Call
+from pool2d.game.rules import GAMES, Choice
+from pool2d.physics.values import POCKETED
+
+from .random_play import new_match, random_action
+from .test_position import layouts, shots
+
+calls = st.builds(Call, ball=st.text(), pocket=st.text(), safety=st.booleans(), push=st.booleans())
+number = st.floats(-10.0, 10.0)
+actions = st.one_of(
+    st.builds(Stroke, shots, calls),
+    st.builds(Choice, st.just("place"), number, number),
+    st.builds(Choice, st.text(), st.just(0.0), st.just(0.0)),
+    st.builds(Concede, st.integers(0, 3)),
+    st.just(NextFrame()),
+    st.builds(Arrange, layouts),
+)
+
+
+@given(actions)
+def test_an_action_comes_back_from_json(action: Action) -> None:
+    back = from_dict(json.loads(json.dumps(as_dict(action))), "line")
+    assert back == action
+    assert repr(back) == repr(action)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {}, {"do": "jump"}, {"do": 3}, {"do": "stroke"}, {"do": "stroke", "shot": 3}, {"do": "stroke", "shot": "cue"},
+        {"do": "stroke", "shot": "cue:1,2", "call": 3}, {"do": "stroke", "shot": "cue:1,2", "call": {"bal": "1"}},
+        {"do": "stroke", "shot": "cue:1,2", "call": {"safety": 1}}, {"do": "choose", "key": "place", "x": "1"},
+        {"do": "concede", "player": True}, {"do": "arrange", "position": "cue@"},
+    ],
+)  # fmt: skip
+def test_what_is_no_action_is_refused(data: dict[str, object]) -> None:
+    with pytest.raises(InputError, match=r"^line: "):
+        from_dict(data, "line")
+
+
+def same(a: Moment, b: Moment) -> bool:
+    """Whether two moments are equal in all that counts."""
+    return (a.ruling, a.tallies, a.frame, a.breaker, a.action) == (b.ruling, b.tallies, b.frame, b.breaker, b.action)
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_undo_and_redo_return_equal_moments(game: str) -> None:
+    match, rng = new_match(game, 5, race=2), random.Random(game)
+    while len(match.history) < 25 and not match.over:
+        match.play(random_action(match, rng))
+    history = match.history
+    again = new_match(game, 5, race=2)
+    for moment in history[1:]:
+        assert moment.action is not None
+        again.play(moment.action)
+    assert all(same(a, b) for a, b in zip(again.history, history, strict=True))
+    while match.undo():
+        assert match.now is history[len(match.history) - 1]
+    assert len(match.history) == 1
+    while match.redo():
+        assert match.now is history[len(match.history) - 1]
+    assert match.history == history
+    match.undo()
+    match.play(Concede(0)) if not match.state.over else match.play(NextFrame())
+    assert not match.redo()
+
+
+def test_frames_are_counted_and_the_break_goes_round(table: Table) -> None:
+    def breakers(breaks: str) -> tuple[list[int], Match]:
+        match = Match(table, Setup("nine-ball", race=3, breaks=breaks, breaker=1))
+        seen = []
+        for loser in (1, 1, 0):
+            seen.append(match.now.breaker)
+            assert match.ask.who == match.now.breaker
+            match.play(Concede(loser))
+            assert not match.over
+            match.play(NextFrame())
+        return [*seen, match.now.breaker], match
+
+    assert breakers("alternate")[0] == [1, 0, 1, 0]
+    assert breakers(WINNER)[0] == [1, 0, 0, 1]
+    order, match = breakers(LOSER)
+    assert order == [1, 1, 1, 0]
+    assert match.frames == (2, 1)
+    assert (match.winner, match.now.frame) == (None, 3)
+    match.play(Concede(1))
+    assert (match.winner, match.over) == (0, True)
+    with pytest.raises(InputError, match="allowed between frames only"):
+        match.play(NextFrame())
+    with pytest.raises(InputError, match="the frame is over"):
+        match.play(Concede(0))
+    assert match.undo()
+    assert not match.over
+
+
+def test_frames_are_racked_differently(table: Table) -> None:
+    match = Match(table, Setup("eight-ball", race=2, breaker=0))
+    first = match.layout
+    match.play(Concede(0))
+    match.play(NextFrame())
+    assert match.layout != first
+
+
+def test_a_coin_decides_who_breaks(table: Table) -> None:
+    tossed = [Match(table, Setup("nine-ball", seed=seed)).now.breaker for seed in range(40)]
+    assert set(tossed) == {0, 1}
+    assert tossed == [Match(table, Setup("nine-ball", seed=seed)).now.breaker for seed in range(40)]
+
+
+def practice(table: Table, *balls: Ball) -> Match:
+    match = Match(table, Setup())
+    match.play(Arrange(Layout(balls)))
+    return match
+
+
+STRAIGHT = (Ball("cue", 1.27, 0.9), Ball("1", 1.27, 0.3), Ball("2", 0.3, 1.0), Ball("3", 0.4, 1.0))
+
+
+def test_strokes_are_counted(table: Table) -> None:
+    match = practice(table, *STRAIGHT)
+    pot, miss = Stroke(Shot(-90.0, 2.0, height=-0.05)), Stroke(Shot(0.0, 0.5))
+    assert match.play(pot).ruling.points == (1,)
+    (tally,) = match.now.tallies
+    assert (tally.strokes, tally.innings, tally.pots, tally.run, tally.best, tally.points) == (1, 1, 1, 1, 1, 1)
+    match.play(miss)
+    (tally,) = match.now.tallies
+    assert (tally.strokes, tally.innings, tally.pots, tally.run, tally.best) == (2, 1, 1, 0, 1)
+    assert match.now.report is not None
+    assert match.now.rollout is not None
+
+
+def test_innings_and_fouls_are_counted(table: Table) -> None:
+    match = Match(table, Setup("nine-ball", breaker=0))
+    match.play(Stroke(Shot(180.0, 1.0)))
+    first, second = match.now.tallies
+    assert (first.innings, first.fouls, second.innings) == (1, 1, 0)
+
+
+def test_practice_puts_balls_anywhere(table: Table) -> None:
+    match = practice(table, Ball("1", 1.0, 1.0))
+    assert match.ask.kind == "place"
+    assert match.layout["cue"].phase == POCKETED
+    with pytest.raises(InputError, match="the ball is off the table"):
+        match.play(Arrange(Layout([Ball("1", 9.0, 1.0)])))
+    assert len(match.history) == 2
+    with pytest.raises(InputError, match="in practice only"):
+        Match(table, Setup("nine-ball")).play(Arrange(Layout()))
+
+
+@pytest.mark.parametrize(
+    ("action", "words"),
+    [
+        (Stroke(Shot(0.0, 1.0, ball="1")), "shot.ball = '1': allowed is cue"),
+        (Stroke(Shot(0.0, 99.0)), "allowed is a number from 0 to 50 m/s"),
+        (Stroke(Shot(0.0, 1.0), Call(safety=True)), "call = 'safety': allowed is neither"),
+        (Stroke(Shot(0.0, 1.0), Call("1", "left")), "call.pocket = 'left'"),
+        (Choice("re-rack"), "allowed is place"),
+        (Concede(2), "player = 2: allowed is 0 to 1"),
+        (NextFrame(), "allowed between frames only"),
+    ],
+)
+def test_what_is_not_asked_for_changes_nothing(table: Table, action: Action, words: str) -> None:
+    match = Match(table, Setup("nine-ball", breaker=0))
+    match.play(Choice("place", 0.3, 0.6))
+    match.undo()
+    before = match.now
+    with pytest.raises(InputError, match=words):
+        match.play(action)
+    assert match.now is before
+    assert match.redo()
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"game": "nineball"}, "did you mean nine-ball"),
+        ({"options": {"ten": "wins"}}, "ten"),
+        ({"race": 0}, "race = 0.*from 1 to 100"),
+        ({"race": 1.5}, "race = 1.5"),
+        ({"seed": "x"}, "seed = 'x'"),
+        ({"breaks": "often"}, "breaks = 'often'"),
+        ({"breaker": 2}, "breaker = 2: allowed is -1, for a coin, to 1"),
+        ({"names": ("Ann",)}, "allowed are 2 names"),
+        ({"names": ("Ann", "B\nb")}, "printable"),
+        ({"names": ("Ann", " ")}, "printable"),
+    ],
+)
+def test_bad_setups_are_refused(table: Table, changed: dict[str, object], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        Match(table, replace(Setup("nine-ball"), **changed))  # type: ignore[arg-type]
+
+
+def test_a_setup_comes_back_from_json() -> None:
+    setup = Setup("nine-ball", {"three_foul": "no"}, ("Ann", "Bob"), 5, WINNER, 1, 7)
+    assert setup_of(json.loads(json.dumps(setup.as_dict())), "header") == setup
+    with pytest.raises(InputError, match="did you mean race"):
+        setup_of({"racee": 1}, "header")
+    with pytest.raises(InputError, match="names = 3"):
+        setup_of({"names": 3}, "header")
+
+
+@settings(max_examples=20)
+@given(st.integers(0, 10_000))
+def test_players_are_named(seed: int) -> None:
+    match = new_match("nine-ball", seed)
+    assert match.names == ("Player 1", "Player 2")
