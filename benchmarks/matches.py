@@ -24,13 +24,16 @@ from pool2d import Shot, Table, load_table, simulate
 from pool2d.game.report import Call, read
 from pool2d.game.rules import AIM, CHOOSE, GAMES, OVER, PLACE, Choice, Rules, Ruling, game, games_for, label, say
 from pool2d.game.rules.spotting import may_place
+from pool2d.knobs import walk
 from pool2d.physics.values import POCKETED, Ball, Layout
 
 TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft")
 # Games to a score are played to less, so that they end.
 SHORT = {"straight": {"target": 8.0}}
-# After so many strokes a match is given up; practice never ends.
+# After so many strokes a match is given up.
 STROKES = 300
+# Practice never ends.
+LIMITS = {"practice": 50}
 
 
 @dataclass
@@ -52,9 +55,10 @@ def table_for(name: str) -> Table:
 
 def play(name: str, seed: int, strokes: int = STROKES) -> Result:
     """One match, by dice."""
+    strokes = min(strokes, LIMITS.get(name, strokes))
     rng = random.Random(f"{name} {seed}")
     table = table_for(name)
-    rules = game(name, table, SHORT.get(name))
+    rules = game(name, table, {**drawn(name, rng), **SHORT.get(name, {})})
     result = Result(name, seed)
     ruling = rules.start(seed % rules.players, seed)
     result.faults += faults(rules, ruling)
@@ -68,12 +72,20 @@ def play(name: str, seed: int, strokes: int = STROKES) -> Result:
             begun = time.thread_time()
             ruling = rules.judge(state, layout, report)
             result.rulings.append(time.thread_time() - begun)
+            if rules.judge(state, layout, report) != ruling:
+                result.faults.append("two rulings on one shot differ")
         else:
             choice = place(table, ruling, rng) if ask.kind == PLACE else Choice(rng.choice(ask.options))
             ruling = rules.choose(state, layout, choice)
         result.faults += faults(rules, ruling)
     result.winner = ruling.state.winner
     return result
+
+
+def drawn(name: str, rng: random.Random) -> dict[str, object]:
+    """Options of a game, by dice: those that are one of a few."""
+    knobs = walk(GAMES[name].options_type())
+    return {option: rng.choice(knob.choices) for option, knob, _ in knobs if knob.choices}
 
 
 def stroke(table: Table, ruling: Ruling, rng: random.Random) -> tuple[Shot, Call]:

@@ -177,6 +177,8 @@ class _Reader:
         self.cue = cue
         self.start = rollout.start
         self.line = table.furniture.head_string
+        # How far down and up the table each ball gets.
+        self.spans = {ball: _span(track, rollout.duration) for ball, track in rollout.tracks.items()}
         # When each ball was last on each cushion.
         self.on_rail = dict.fromkeys(self.frozen(), 0.0)
         self.frozen_at_start = tuple(self.on_rail)
@@ -205,8 +207,8 @@ class _Reader:
             stroke=tuple(self.stroke(first, touching, when)),
             kitchen=self.kitchen(first, when),
             stayed=self.stayed(),
-            crossed=tuple(self.over(self.line)) if self.line is not None else (),
-            passed=tuple(self.over(0.5 * self.table.knobs.table.length)),
+            crossed=self.over(self.line),
+            passed=self.over(0.5 * self.table.knobs.table.length),
             jammed=tuple(self.jammed()),
             strayed=() if self.table.geometry.pockets else tuple(self.strayed()),
             start=self.start,
@@ -280,15 +282,10 @@ class _Reader:
 
     def stayed(self) -> bool:
         """Whether the cue ball never crossed the head string nor met a ball beyond it."""
-        if self.line is None or _span(self.rollout.tracks[self.cue], self.rollout.duration)[1] >= self.line:
+        if self.line is None or self.spans[self.cue][1] >= self.line:
             return False
-        met = [
-            (event, a if b == self.cue else b)
-            for event in self.rollout.events
-            for a, b in event.pairs
-            if self.cue in (a, b)
-        ]
-        return all(event.before[ball].x < self.line for event, ball in met)
+        met = [(event, pair) for event in self.rollout.events for pair in event.pairs if self.cue in pair]
+        return all(event.before[ball].x < self.line for event, pair in met for ball in pair)
 
     def jammed(self) -> Iterator[str]:
         """The cushions that the cue ball lay on and was shot into."""
@@ -307,12 +304,11 @@ class _Reader:
                 if _span(self.rollout.tracks[ball.id], self.rollout.duration, u, v)[1] > limit:
                     yield ball.id
 
-    def over(self, line: float) -> Iterator[str]:
+    def over(self, line: float | None) -> tuple[str, ...]:
         """The object balls whose centre goes over a line across the table."""
-        for ball in self.start.on_table():
-            low, high = _span(self.rollout.tracks[ball.id], self.rollout.duration)
-            if ball.id != self.cue and low < line < high:
-                yield ball.id
+        if line is None:
+            return ()
+        return tuple(ball for ball, (low, high) in self.spans.items() if ball != self.cue and low < line < high)
 
 
 def rails(event: Event) -> tuple[tuple[str, str], ...]:
@@ -336,8 +332,12 @@ def _span(track: list[Motion], end: float, u: float = 1.0, v: float = 0.0) -> tu
     """The least and greatest ux + vy of a ball up to a time."""
     found = []
     for motion, a, b in _pieces(track, 0.0, end):
-        speed, bend = u * motion.vx + v * motion.vy, u * motion.hx + v * motion.hy
+        place, speed, bend = (u * along + v * across for along, across in _xy(motion))
         turn = motion.t0 - 0.5 * speed / bend if bend else a
-        places = [motion.at(t) for t in (a, min(max(turn, a), b), b)]
-        found += [u * place.x + v * place.y for place in places]
+        found += [place + (speed + bend * s) * s for s in (t - motion.t0 for t in (a, min(max(turn, a), b), b))]
     return min(found, default=0.0), max(found, default=0.0)
+
+
+def _xy(motion: Motion) -> tuple[tuple[float, float], ...]:
+    """Place, speed and half the acceleration of a motion where it starts."""
+    return (motion.x, motion.y), (motion.vx, motion.vy), (motion.hx, motion.hy)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
 from pool2d import InputError, load_table
+from pool2d.game import rules
 from pool2d.game.rules import GAMES, PLACE, Choice, game, games_for
-from pool2d.game.rules.words import Note, say
+from pool2d.game.rules.words import ENGLISH, Note, label, say
 
 from .notation import after, only, report
 
@@ -38,6 +40,13 @@ def test_an_unknown_option_is_refused() -> None:
         game("practice", TABLE, {"speed": 1})
 
 
+def test_a_table_has_games_that_its_balls_allow() -> None:
+    assert {"eight-ball", "nine-ball", "straight", "practice"} <= set(games_for(TABLE))
+    assert "eight-ball" not in games_for(load_table("english-7ft"))
+    with pytest.raises(InputError, match=r"nine-ball.*this table has not the balls or the rack for it"):
+        game("nine-ball", load_table("snooker-12ft"))
+
+
 def test_a_choice_that_is_not_asked_for_is_refused() -> None:
     ruling = game("practice", TABLE).start()
     with pytest.raises(InputError, match="allowed is place"):
@@ -63,3 +72,13 @@ def test_practice_places_counts_and_racks_again() -> None:
 def test_a_note_is_a_sentence() -> None:
     assert say(Note("foul.wrong-ball", ball="red7")) == "The red was hit first, and it was not on."
     assert say(Note("in-hand.kitchen", 1), ("Ann", "Bob")) == "Bob has the cue ball in hand, behind the head string."
+
+
+@pytest.mark.parametrize("key", ENGLISH)
+def test_every_word_is_used_and_has_no_gap_left(key: str) -> None:
+    sources = "".join(path.read_text(encoding="utf-8") for path in Path(rules.__file__).parent.glob("*.py"))
+    name = key.removeprefix("choice.")
+    stem = name.rpartition(".")[0]
+    assert f'"{name}' in sources.replace(f'"{key}":', "") or f'f"{stem}.{{' in sources
+    text = label(f"{name}:x") if key.startswith("choice.") else say(Note(key, 0, "1", 2))
+    assert "{" not in text

@@ -8,7 +8,7 @@ from typing import Any
 from ...errors import InputError, suggest
 from ...table import Table
 from .base import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Options, Rules, Ruling, State
-from .eight_ball import EightBall
+from .eight_ball import EightBall, EightBallState
 from .english_eight_ball import EnglishEightBall
 from .nine_ball import NineBall
 from .one_pocket import OnePocket
@@ -60,6 +60,7 @@ __all__ = [
     "PLACE",
     "Ask",
     "Choice",
+    "EightBallState",
     "Note",
     "Options",
     "Rules",

@@ -21,6 +21,8 @@ from .spotting import may_place, put, within
 from .words import Note
 
 AIM, PLACE, CHOOSE, OVER = "aim", "place", "choose", "over"
+# What an option may be that is on or off.
+YES_NO = ("yes", "no")
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +171,10 @@ class Rules(Generic[S]):
         """What follows from one of the options that the state offers."""
         raise NotImplementedError
 
+    def stalemate(self, state: S) -> Ruling:
+        """What follows when the players see no progress: who began begins again."""
+        return self.start(state.breaker, state.seed + 1)
+
     def conceded(self, state: S, layout: Layout, player: int) -> Ruling:
         """What follows when a player gives the game up."""
         return self.ruled(self.ended(state, self.other(player)), layout, Note("concedes", player))
@@ -234,12 +240,12 @@ class Rules(Generic[S]):
     def next_note(self, state: S) -> Note:
         """What is next, in words."""
         ask = state.ask
-        if ask.kind != OVER and not state.shots and ask.kind != CHOOSE:
-            return Note("break", ask.who)
         if ask.kind == OVER:
             return Note("wins", ask.who) if ask.who >= 0 else Note("draw")
         if ask.kind == CHOOSE:
             return Note("chooses", ask.who)
+        if not state.shots:
+            return Note("break", ask.who)
         return Note(f"in-hand.{ask.where}" if ask.where else "turn", ask.who)
 
     def _placed(self, state: S, layout: Layout, choice: Choice) -> Ruling:
@@ -248,7 +254,7 @@ class Rules(Generic[S]):
             allowed = f"allowed is {_AREAS[ask.where]}, clear of other balls"
             raise InputError(self.name, "place", (choice.x, choice.y), allowed)
         layout = put(layout, ask.ball, (choice.x, choice.y))
-        return Ruling(replace(state, ask=replace(ask, kind=AIM, options=())), layout, points=(0,) * len(state.scores))
+        return Ruling(replace(state, ask=replace(ask, kind=AIM)), layout, points=(0,) * len(state.scores))
 
 
 _AREAS = {"anywhere": "anywhere on the table", "kitchen": "behind the head string", "d": "in the D"}

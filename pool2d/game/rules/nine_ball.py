@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from ...knobs import choice
 from ...physics.values import Layout
 from ..report import Report
-from .base import Ruling, State
-from .rotation import YES_NO, Rotation, RotationOptions
+from .base import YES_NO, Ruling, State
+from .rotation import Rotation, RotationOptions
 
 # How many balls the three-ball rule wants pocketed or over the head string (Regulation 16).
 OVER = 3

@@ -7,15 +7,16 @@ number of balls to make, are left out.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 from ...knobs import choice, knob
+from ...outline import Point
 from ...physics.values import Layout
 from ...table import Table
 from ..report import Report
-from .base import Options, Ruling, State
+from .base import YES_NO, Options, Ruling, State
 from .fouls import seen
 from .pool import PoolRules, changed, gone
-from .rotation import YES_NO
 from .spotting import KITCHEN, spot_balls
 from .words import Note
 
@@ -67,7 +68,7 @@ class OnePocket(PoolRules[OnePocketState]):
     def judge(self, state: OnePocketState, layout: Layout, report: Report) -> Ruling:
         who, opponent, ask = state.ask.who, self.other(state.ask.who), state.ask
         fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
-        state = self.counted(replace(state, shots=state.shots + 1), who, bool(fouls))
+        before, state = state, self.counted(replace(state, shots=state.shots + 1), who, bool(fouls))
         mine, theirs, neutral = self._sorted(state, report)
         notes: tuple[Note, ...] = ()
         if fouls:
@@ -78,28 +79,27 @@ class OnePocket(PoolRules[OnePocketState]):
             state = replace(state, owed=changed(state.owed, who, state.owed[who] + 1))
             notes = (Note("owes", who),)
             if self.options.three_foul == "yes" and state.fouls[who] >= 3:
-                return self._result(state, layout, opponent, Note("foul.three", who), fouls=fouls)
+                return self._told(before, self.ended(state, opponent), layout, Note("foul.three", who), fouls=fouls)
         held = changed(state.held, who, (*state.held[who], *mine))
         held = changed(held, opponent, (*held[opponent], *theirs))
-        before, state = state, replace(state, held=held, waiting=(*state.waiting, *neutral))
+        state = replace(state, held=held, waiting=(*state.waiting, *neutral))
         for player in (who, opponent):
             if len(state.held[player]) - state.owed[player] >= self.options.target:
-                return self._result(state, layout, player, fouls=fouls)
+                return self._told(before, self.ended(state, player), layout, fouls=fouls)
+        spotted: tuple[tuple[str, Point], ...] = ()
         if not mine or not self.on_table(layout):
             # Spotting comes at the end of an inning, or when the table is empty.
             state, back = _due(state, who)
             layout, spotted = spot_balls(self.table, layout, back)
-        else:
-            spotted = ()
         where = KITCHEN if gone(layout, report.cue) else ""  # 6.3: after any other foul the balls lie as they are.
-        state = _scored(self.next(state, layout, who if mine else opponent, where))
-        change = tuple(new - old for new, old in zip(state.scores, _scored(before).scores, strict=True))
-        return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted, points=change)
+        state = self.next(state, layout, who if mine else opponent, where)
+        return self._told(before, state, layout, *notes, fouls=fouls, spotted=spotted)
 
-    def _result(
-        self, state: OnePocketState, layout: Layout, winner: int, *notes: Note, fouls: tuple[Note, ...] = ()
-    ) -> Ruling:
-        return self.ruled(self.ended(_scored(state), winner), layout, *notes, fouls=fouls)
+    def _told(self, before: OnePocketState, state: OnePocketState, layout: Layout, *notes: Note, **more: Any) -> Ruling:
+        """A ruling with the scores worked out: the balls made, less those owed."""
+        scores = tuple(len(held) - owed for held, owed in zip(state.held, state.owed, strict=True))
+        change = tuple(new - old for new, old in zip(scores, before.scores, strict=True))
+        return self.ruled(replace(state, scores=scores), layout, *notes, points=change, **more)
 
     def _sorted(
         self, state: OnePocketState, report: Report
@@ -126,9 +126,3 @@ def _due(state: OnePocketState, who: int) -> tuple[OnePocketState, tuple[str, ..
     back = (*state.waiting, *state.held[who][kept:])
     held = changed(state.held, who, state.held[who][:kept])
     return replace(state, waiting=(), held=held, owed=changed(state.owed, who, state.owed[who] - pay)), back
-
-
-def _scored(state: OnePocketState) -> OnePocketState:
-    """The state with its scores: the balls made, less those owed."""
-    scores = tuple(len(held) - owed for held, owed in zip(state.held, state.owed, strict=True))
-    return replace(state, scores=scores)

@@ -10,13 +10,11 @@ from dataclasses import dataclass, replace
 from ...knobs import choice
 from ...physics.values import Layout
 from ..report import Report
-from .base import Options, Ruling, State
+from .base import YES_NO, Options, Ruling, State
 from .fouls import seen
 from .pool import DRIVEN, PoolRules, driven
 from .spotting import ANYWHERE, KITCHEN, spot_balls
 from .words import Note
-
-YES_NO = ("yes", "no")
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,7 +24,7 @@ def within(table: Table, where: str, x: float, y: float) -> bool:
         return x < line
     if where == D and line is not None:
         head = table.furniture.spots["head"]
-        return x <= line and math.hypot(x - line, y - head[1]) <= table.furniture.d_radius
+        return x <= line + HAIR and math.hypot(x - line, y - head[1]) <= table.furniture.d_radius + HAIR
     return True
 
 

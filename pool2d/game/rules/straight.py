@@ -7,11 +7,10 @@ from dataclasses import dataclass, replace
 from ...knobs import choice, knob
 from ...physics.values import Layout
 from ..report import Report
-from .base import Options, Ruling, State
+from .base import YES_NO, Options, Ruling, State
 from .fouls import seen
 from .pool import PoolRules, added, driven, gone, points, told
 from .rerack import rerack
-from .rotation import YES_NO
 from .spotting import KITCHEN, spot_balls
 from .words import Note
 

@@ -33,7 +33,6 @@ ENGLISH: dict[str, str] = {
     # What happened.
     "break": "{player} breaks",
     "turn": "{player} to play",
-    "again": "{player} plays on",
     "in-hand.anywhere": "{player} has the cue ball in hand, anywhere",
     "in-hand.kitchen": "{player} has the cue ball in hand, behind the head string",
     "in-hand.d": "{player} has the cue ball in hand, in the D",

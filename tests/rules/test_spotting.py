@@ -1,0 +1,83 @@
+"""Where balls are spotted and where the cue ball may be put: WPA 1.5 and 1.6."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from pool2d import Ball, Layout, load_table
+from pool2d.game.rules.spotting import CLEAR, KITCHEN, D, nearest, on_long_string, spot_balls, within
+from pool2d.physics.values import POCKETED
+
+TABLE, SNOOKER = load_table("pool-9ft"), load_table("snooker-12ft")
+X, Y = TABLE.furniture.spots["foot"]
+TWO_R = 2.0 * TABLE.knobs.ball.radius
+DOWN = Ball("9", 0.0, 0.0, phase=POCKETED)
+
+
+def spot(*others: Ball) -> tuple[float, float]:
+    place = on_long_string(TABLE, Layout([DOWN, *others]), "9")
+    assert place is not None
+    return place
+
+
+def test_the_foot_spot() -> None:
+    assert spot() == (X, Y)
+
+
+def test_a_ball_in_the_way_is_touched_from_below() -> None:
+    assert spot(Ball("1", X, Y)) == pytest.approx((X + TWO_R, Y), abs=1e-8)
+
+
+def test_a_ball_beside_the_line_is_touched_too() -> None:
+    x, y = spot(Ball("1", X, Y + 0.03))
+    assert math.hypot(x - X, y - Y - 0.03) == pytest.approx(TWO_R, abs=1e-8)
+    assert x > X
+
+
+def test_the_cue_ball_is_not_touched() -> None:
+    assert spot(Ball("cue", X, Y)) == pytest.approx((X + TWO_R + CLEAR, Y), abs=1e-8)
+
+
+def test_a_ball_further_down_leaves_no_room_between() -> None:
+    assert spot(Ball("1", X, Y), Ball("2", X + 1.5 * TWO_R, Y)) == pytest.approx((X + 2.5 * TWO_R, Y), abs=1e-8)
+
+
+def test_a_full_line_below_the_spot_sends_a_ball_above() -> None:
+    row = [Ball(str(i), X + i * TWO_R, Y) for i in range(11)]
+    assert spot(*row) == pytest.approx((X - TWO_R, Y), abs=1e-8)
+
+
+def test_balls_are_spotted_one_after_the_other() -> None:
+    layout, spotted = spot_balls(TABLE, Layout([DOWN, DOWN._replace(id="8"), Ball("cue", 0.3, 0.3)]), ("8", "9"))
+    assert [ball for ball, _ in spotted] == ["8", "9"]
+    assert layout["9"].x == pytest.approx(X + TWO_R, abs=1e-8)
+    TABLE.settle(layout)
+
+
+def test_no_room_at_all() -> None:
+    row = [Ball(str(i), 0.05 + i * 0.99 * TWO_R, Y) for i in range(44)]
+    assert nearest(TABLE, Layout([DOWN, *row]), "9", (X, Y), 1) is None
+
+
+@pytest.mark.parametrize(
+    ("where", "x", "y", "there"),
+    [
+        (KITCHEN, 0.634, 0.3, True),
+        (KITCHEN, 0.635, 0.3, False),
+        (KITCHEN, -0.1, 0.3, False),
+        ("anywhere", 2.0, 0.3, True),
+        ("anywhere", 2.6, 0.3, False),
+    ],
+)
+def test_areas(where: str, x: float, y: float, there: bool) -> None:
+    assert within(TABLE, where, x, y) == there
+
+
+@pytest.mark.parametrize(
+    ("dx", "dy", "there"),
+    [(0.0, 0.0, True), (0.0, 0.292, True), (0.0, 0.293, False), (-0.292, 0.0, True), (0.01, 0.0, False)],
+)
+def test_the_d(dx: float, dy: float, there: bool) -> None:
+    assert within(SNOOKER, D, 0.737 + dx, 0.889 + dy) == there
