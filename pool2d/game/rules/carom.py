@@ -69,12 +69,12 @@ class Carom(Rules[CaromState]):
     def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
         """Who wins the lag says who breaks (art. 22)."""
         state, layout = self.racked(CaromState(seed=seed, breaker=breaker))
-        layout = self.set_up(layout, breaker)
+        layout = self.set_up(state, layout, breaker)
         return self.ruled(self.opened(state, breaker), layout)
 
-    def cue_of(self, player: int) -> str:
-        """The first player has the table's cue ball, the second the other."""
-        return self.table.furniture.groups["other"][0] if player else self.table.furniture.cue
+    def ball_of(self, state: CaromState, player: int) -> str:
+        """Art. 23: who begins strikes the white, the table's cue ball; the opponent the yellow."""
+        return self.table.furniture.cue if player == state.breaker else self.table.furniture.groups["other"][0]
 
     def opened(self, state: CaromState, who: int, spot: str = "right") -> CaromState:
         """The state in which a player has the opening stroke, at the red, from one of two spots (art. 23)."""
@@ -87,16 +87,16 @@ class Carom(Rules[CaromState]):
 
     def aim(self, state: CaromState, who: int, *options: str) -> CaromState:
         """The state in which a player strikes at the other two balls."""
-        on = (self.cue_of(self.other(who)), RED)
-        ask = replace(state.ask, kind="aim", who=who, ball=self.cue_of(who), where="", on=on, options=options)
+        on = (self.ball_of(state, self.other(who)), RED)
+        ask = replace(state.ask, kind="aim", who=who, ball=self.ball_of(state, who), where="", on=on, options=options)
         return replace(state, turn=who, ask=ask)
 
-    def set_up(self, layout: Layout, who: int, spot: str = "right") -> Layout:
+    def set_up(self, state: CaromState, layout: Layout, who: int, spot: str = "right") -> Layout:
         """Art. 23: the red on the foot spot, the opponent's ball on the head spot, the player's beside it."""
         spots = self.table.furniture.spots
         layout = put(layout, RED, spots["foot"])
-        layout = put(layout, self.cue_of(self.other(who)), spots["head"])
-        return put(layout, self.cue_of(who), spots[spot])
+        layout = put(layout, self.ball_of(state, self.other(who)), spots["head"])
+        return put(layout, self.ball_of(state, who), spots[spot])
 
     def judge(self, state: CaromState, layout: Layout, report: Report) -> Ruling:
         who = state.ask.who
@@ -116,9 +116,9 @@ class Carom(Rules[CaromState]):
         notes = told(points(who, 1)) if state.run else ()
         lost = tuple(ball for ball in layout if layout[ball].phase == POCKETED)
         if lost:
-            layout, spotted = self.spot(layout, who, lost)
+            layout, spotted = self.spot(state, layout, who, lost)
             ruling = self.ruled(self.aim(state, who), layout, *notes, spotted=spotted)
-        elif touching := self.touching(layout, who):
+        elif touching := self.touching(state, layout, who):
             ruling = self.frozen(state, layout, who, touching)
         else:
             ruling = self.ruled(self.aim(state, who), layout, *notes)
@@ -128,9 +128,9 @@ class Carom(Rules[CaromState]):
         who = state.ask.who
         name, _, spot = key.partition(":")
         if name == "start-spot":
-            layout = put(layout, self.cue_of(who), self.table.furniture.spots[spot])
+            layout = put(layout, self.ball_of(state, who), self.table.furniture.spots[spot])
             return self.ruled(self.opened(state, who, spot), layout)
-        layout, spotted = self.spot(layout, who, (self.cue_of(who), *self.touching(layout, who)))
+        layout, spotted = self.spot(state, layout, who, (self.ball_of(state, who), *self.touching(state, layout, who)))
         return self.ruled(self.aim(state, who), layout, spotted=spotted)
 
     def fouls(self, state: CaromState, report: Report) -> Iterator[Note]:
@@ -154,9 +154,9 @@ class Carom(Rules[CaromState]):
         """Art. 24: whether the cue ball touched both other balls."""
         return len(set(_met(report))) == 2
 
-    def touching(self, layout: Layout, who: int) -> tuple[str, ...]:
+    def touching(self, state: CaromState, layout: Layout, who: int) -> tuple[str, ...]:
         """The balls that touch a player's cue ball."""
-        cue = layout[self.cue_of(who)]
+        cue = layout[self.ball_of(state, who)]
         return tuple(
             ball.id
             for ball in layout.on_table()
@@ -164,7 +164,9 @@ class Carom(Rules[CaromState]):
             and (ball.x - cue.x) ** 2 + (ball.y - cue.y) ** 2 <= (self.table.touch(cue, ball) + FROZEN) ** 2
         )
 
-    def spot(self, layout: Layout, who: int, balls: Collection[str]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(
+        self, state: CaromState, layout: Layout, who: int, balls: Collection[str]
+    ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """Art. 27 (4): balls on their spots before a player's stroke."""
         raise NotImplementedError
 
@@ -187,7 +189,7 @@ class Carom(Rules[CaromState]):
         done = state.scores[who] >= self.options.points
         if done and who == state.breaker and self.options.equal == "yes":
             state = replace(self.opened(state, opponent), last=True)
-            layout = self.set_up(layout, opponent)
+            layout = self.set_up(state, layout, opponent)
             return self.ruled(state, layout, *notes, Note("last-inning", opponent), points=change)
         limited = who != state.breaker and 0 < self.options.innings <= state.innings[who]
         if done or state.last or limited:

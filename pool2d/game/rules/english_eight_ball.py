@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from ...outline import Point
 from ...physics.values import POCKETED, Layout
-from ..report import POCKET, RAIL, Report
+from ..report import BALL, Report
 from .base import Ruling, State
 from .pool import DRIVEN, PoolRules, changed, driven
 from .sight import sees, snookered, snookered_from
@@ -85,7 +85,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
     def picked(self, state: EnglishState, layout: Layout, key: str) -> Ruling:
         who = state.ask.who
         name, _, color = key.partition(":")
-        if name == "kitchen":
+        if name == "baulk":
             # P (3) (b), (4) (b): a player who takes the cue ball to baulk may be foul-snookered there too.
             layout = layout.put(layout[self.table.furniture.cue]._replace(phase=POCKETED))
             return self._to_play(state, layout, who)
@@ -129,9 +129,9 @@ class EnglishEightBall(PoolRules[EnglishState]):
             yield Note("foul.no-rail")
 
     def _moved(self, report: Report, touched: bool) -> bool:
-        """Whether a ball fell or met a cushion once a ball had been played."""
+        """Whether a ball fell, left the table or met a cushion once a ball had been played."""
         after = report.contacts if touched else report.after
-        return any(contact.kind in (RAIL, POCKET) for contact in after)
+        return any(contact.kind != BALL for contact in after)
 
     def _break(self, state: EnglishState, layout: Layout, report: Report) -> Ruling:
         """F (4): the break is fair where a colour is potted or four balls are driven to a cushion."""
@@ -202,7 +202,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
         )
         state = replace(state, free=hidden)
         if hidden:
-            options = () if where else ("kitchen",)
+            options = () if where else ("baulk",)
             state = self.next(state, layout, who, where, on=self.on_table(layout), call="ball", options=options)
             notes = (*notes, Note("free-ball"))
         else:

@@ -43,9 +43,9 @@ class StraightRail(Carom):
         if ruling.state.over:
             return ruling
         stayed = state.zone > 0 and not self._driven_out(state, report) and ruling.ask.who == state.ask.who
-        corner = self.corner(ruling.layout, ruling.ask.who)
-        zone = (state.zone - 1 if stayed else STROKES) if corner else -1
         now: CaromState = ruling.state  # type: ignore[assignment]
+        corner = self.corner(now, ruling.layout, ruling.ask.who)
+        zone = (state.zone - 1 if stayed else STROKES) if corner else -1
         return ruling._replace(state=replace(now, zone=zone))
 
     def fouls(self, state: CaromState, report: Report) -> Iterator[Note]:
@@ -57,21 +57,23 @@ class StraightRail(Carom):
     def _driven_out(self, state: CaromState, report: Report) -> bool:
         return bool(set(state.ask.on) & set(report.strayed))
 
-    def corner(self, layout: Layout, who: int) -> str:
+    def corner(self, state: CaromState, layout: Layout, who: int) -> str:
         """The corner both other balls are in, "" for none."""
         if self.options.corners == "no":
             return ""
-        mine = self.cue_of(who)
+        mine = self.ball_of(state, who)
         found = {corner_of(self.table, ball.x, ball.y) for ball in layout.on_table() if ball.id != mine}
         return found.pop() if len(found) == 1 else ""
 
     def frozen(self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...]) -> Ruling:
         """Art. 27 (1), (4) (a): the balls go back to the starting position."""
         notes = told(points(who, 1)) if state.run else ()
-        layout, spotted = self.spot(layout, who, touching)
+        layout, spotted = self.spot(state, layout, who, touching)
         return self.ruled(self.aim(state, who), layout, *notes, Note("respotted"), spotted=spotted)
 
-    def spot(self, layout: Layout, who: int, balls: Collection[str]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(
+        self, state: CaromState, layout: Layout, who: int, balls: Collection[str]
+    ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """Art. 27 (4) (a), 28: all three balls to the starting position."""
-        layout = self.set_up(layout, who)
+        layout = self.set_up(state, layout, who)
         return layout, tuple((ball.id, (ball.x, ball.y)) for ball in layout.values())

@@ -28,14 +28,16 @@ class ThreeCushion(Carom):
         notes = told(points(who, 1)) if state.run else ()
         return self.ruled(self.aim(state, who, "respot"), layout, *notes)
 
-    def spot(self, layout: Layout, who: int, balls: Collection[str]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(
+        self, state: CaromState, layout: Layout, who: int, balls: Collection[str]
+    ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """Art. 27 (4) (b): the red on the foot spot, the player's ball on the head, the opponent's on the centre.
 
         Only the balls that touch are moved, or those that left the table (28). Where a spot is occupied, a ball goes
         on that of the ball which occupies it.
         """
         spots = self.table.furniture.spots
-        home = {RED: "foot", self.cue_of(who): "head", self.cue_of(self.other(who)): "center"}
+        home = {RED: "foot", self.ball_of(state, who): "head", self.ball_of(state, self.other(who)): "center"}
         moved = layout.without(*balls)
         spotted: list[tuple[str, Point]] = []
         for ball in sorted(balls, key=list(home).index):

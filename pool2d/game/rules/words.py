@@ -77,6 +77,7 @@ ENGLISH: dict[str, str] = {
     "choice.spot-eight": "Spot the 8 and play on",
     "choice.play-again": "Let the opponent play again",
     "choice.put-back": "Put the balls back; the opponent plays again",
+    "choice.baulk": "Take the cue ball to baulk",
     "choice.claim": "Claim the frame",
     "choice.group": "Play the {what}s",
     "choice.respot": "Put the touching balls on their spots",
