@@ -62,7 +62,9 @@ class Carom(Rules[CaromState]):
         """Whether a cannon is one by the rules of this game."""
         raise NotImplementedError
 
-    def frozen(self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...]) -> Ruling:
+    def frozen(
+        self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
+    ) -> Ruling:
         """What is offered to, or done for, a player whose cue ball touches others (art. 27)."""
         raise NotImplementedError
 
@@ -101,28 +103,27 @@ class Carom(Rules[CaromState]):
     def judge(self, state: CaromState, layout: Layout, report: Report) -> Ruling:
         who = state.ask.who
         found = tuple(self.fouls(state, report))
-        opening, state = state.opening, replace(state, shots=state.shots + 1, opening=False)
+        state = replace(state, shots=state.shots + 1, opening=False)
         if found or not self.cannon(report) or not self.counts(report):
-            return self._inning_over(state, layout, report, found)
+            return self._inning_over(state, layout, found)
         change = points(who, 1)
         state = replace(added(state, change), run=state.run + 1)
         state = replace(state, best=changed(state.best, who, max(state.best[who], state.run)))
         if state.scores[who] >= self.options.points:
-            return self._inning_over(state, layout, report, (), change)
-        return self.goes_on(state, layout, report, who, opening)._replace(points=change)
+            return self._inning_over(state, layout, (), change)
+        return self.goes_on(state, layout, who)._replace(points=change)
 
-    def goes_on(self, state: CaromState, layout: Layout, report: Report, who: int, opening: bool = False) -> Ruling:
-        """The ruling by which a player strikes next."""
+    def goes_on(self, state: CaromState, layout: Layout, who: int) -> Ruling:
+        """The ruling by which a player strikes next, after a point of theirs where there is a run."""
         notes = told(points(who, 1)) if state.run else ()
         lost = tuple(ball for ball in layout if layout[ball].phase == POCKETED)
         if lost:
             layout, spotted = self.spot(state, layout, who, lost)
-            ruling = self.ruled(self.aim(state, who), layout, *notes, spotted=spotted)
-        elif touching := self.touching(state, layout, who):
-            ruling = self.frozen(state, layout, who, touching)
-        else:
-            ruling = self.ruled(self.aim(state, who), layout, *notes)
-        return ruling
+            return self.ruled(self.aim(state, who), layout, *notes, spotted=spotted)
+        touching = self.touching(state, layout, who)
+        if touching:
+            return self.frozen(state, layout, who, touching, notes)
+        return self.ruled(self.aim(state, who), layout, *notes)
 
     def picked(self, state: CaromState, layout: Layout, key: str) -> Ruling:
         who = state.ask.who
@@ -174,7 +175,6 @@ class Carom(Rules[CaromState]):
         self,
         state: CaromState,
         layout: Layout,
-        report: Report,
         found: tuple[Note, ...],
         change: tuple[int, ...] = (0, 0),
     ) -> Ruling:
@@ -196,7 +196,7 @@ class Carom(Rules[CaromState]):
             first, second = state.scores
             winner = -1 if first == second else int(second > first)
             return self.ruled(self.ended(state, winner), layout, *notes, fouls=found, points=change)
-        ruling = self.goes_on(state, layout, report, opponent)
+        ruling = self.goes_on(state, layout, opponent)
         return ruling._replace(fouls=found, notes=(*found, *ruling.notes))
 
 

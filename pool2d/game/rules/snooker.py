@@ -188,9 +188,8 @@ class Snooker(Rules[SnookerState]):
             layout = put(layout, ball, (x, y))
         offender = self.other(state.ask.who)
         notes = (Note("warned", offender),) if state.misses == 2 else ()
-        free = state.freed
-        state = replace(state, phase=state.was, before=())
-        return self.ruled(self.aiming(state, layout, offender, free=free), layout, *notes)
+        again = replace(state, phase=state.was, before=(), was="", freed=False)
+        return self.ruled(self.aiming(again, layout, offender, free=state.freed), layout, *notes)
 
     def _end(
         self,

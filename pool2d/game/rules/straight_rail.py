@@ -12,7 +12,6 @@ from ..corners import corner_of
 from ..report import Report
 from .base import Ruling
 from .carom import Carom, CaromOptions, CaromState
-from .pool import points, told
 from .words import Note
 
 # How often a player may score on balls that are, and stay, in one corner.
@@ -65,9 +64,10 @@ class StraightRail(Carom):
         found = {corner_of(self.table, ball.x, ball.y) for ball in layout.on_table() if ball.id != mine}
         return found.pop() if len(found) == 1 else ""
 
-    def frozen(self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...]) -> Ruling:
+    def frozen(
+        self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
+    ) -> Ruling:
         """Art. 27 (1), (4) (a): the balls go back to the starting position."""
-        notes = told(points(who, 1)) if state.run else ()
         layout, spotted = self.spot(state, layout, who, touching)
         return self.ruled(self.aim(state, who), layout, *notes, Note("respotted"), spotted=spotted)
 

@@ -10,8 +10,8 @@ from ...physics.values import Layout
 from ..report import Report
 from .base import Ruling
 from .carom import RED, Carom, CaromState, cushions_before_last
-from .pool import points, told
 from .spotting import has_room, put
+from .words import Note
 
 
 class ThreeCushion(Carom):
@@ -23,9 +23,10 @@ class ThreeCushion(Carom):
     def counts(self, report: Report) -> bool:
         return cushions_before_last(report) >= 3
 
-    def frozen(self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...]) -> Ruling:
+    def frozen(
+        self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
+    ) -> Ruling:
         """Art. 27 (1): the player may have the touching balls spotted, or play away from them."""
-        notes = told(points(who, 1)) if state.run else ()
         return self.ruled(self.aim(state, who, "respot"), layout, *notes)
 
     def spot(
