@@ -133,10 +133,18 @@ def test_racks_hold_what_the_game_wants(name: str, rack: str, count: int, middle
         assert {ball for ball in layout if ball != "cue"} == {str(number + 1) for number in range(count)}
 
 
-def test_english_black_stands_on_its_spot() -> None:
-    table = TABLE["english-7ft"]
-    black = table.rack("eight-ball")["black"]
-    assert (black.x, black.y) == pytest.approx(table.furniture.spots["black"], abs=1e-4)
+@pytest.mark.parametrize(
+    ("name", "rack", "ball", "spot"),
+    [
+        ("english-7ft", "eight-ball", "black", "black"),
+        ("pool-9ft", "nine-ball", "9", "foot"),
+        ("pool-9ft", "ten-ball", "1", "foot"),
+    ],
+)
+def test_a_ball_stands_on_its_spot(name: str, rack: str, ball: str, spot: str) -> None:
+    table = TABLE[name]
+    placed = table.rack(rack)[ball]
+    assert (placed.x, placed.y) == pytest.approx(table.furniture.spots[spot], abs=1e-4)
 
 
 @pytest.mark.parametrize("name", NAMES)

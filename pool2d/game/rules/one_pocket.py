@@ -85,7 +85,7 @@ class OnePocket(PoolRules[OnePocketState]):
         state = replace(state, held=held, waiting=(*state.waiting, *neutral))
         for player in (who, opponent):
             if len(state.held[player]) - state.owed[player] >= self.options.target:
-                return self._told(before, self.ended(state, player), layout, fouls=fouls)
+                return self._told(before, self.ended(state, player), layout, *notes, fouls=fouls)
         spotted: tuple[tuple[str, Point], ...] = ()
         if not mine or not self.on_table(layout):
             # Spotting comes at the end of an inning, or when the table is empty.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ...outline import Corner, Point, distance_to_edge, edges, inside
-from ...physics.values import Layout
+from ...physics.values import POCKETED, Layout
 from ...table import Table
 from .spotting import KITCHEN, put
 
@@ -14,29 +14,31 @@ def rerack(table: Table, layout: Layout, name: str, seed: int) -> tuple[Layout, 
     """The layout with the pocketed balls racked, and the area of the cue ball, "" where it is not in hand.
 
     One object ball or none is left on the table. The rack's apex stays empty where one is, unless that and the
-    cue ball both lie where the rack must stand.
+    cue ball both lie where the rack must stand. A cue ball in hand is taken off the table.
     """
     rack, cue = table.rack(name, seed), layout[table.furniture.cue]
     left = [ball for ball in layout.on_table() if ball.id != cue.id]
     cue_in = interferes(table, name, (cue.x, cue.y))
     ball_in = bool(left) and interferes(table, name, (left[0].x, left[0].y))
-    if not left or (ball_in and cue_in):
-        return rack.put(cue), KITCHEN if cue_in else ""
-    ball, line = left[0], table.furniture.head_string
-    racked = _without_apex(table, rack, name, ball.id).put(cue, ball)
-    if ball_in:
-        return put(racked, ball.id, _free_spot(table, racked, cue.id)), ""
-    if cue_in and line is not None and ball.x < line:
-        return put(racked, cue.id, _free_spot(table, racked, ball.id)), ""
-    return racked, KITCHEN if cue_in else ""
+    racked, line = rack.put(cue), table.furniture.head_string
+    if left and not (ball_in and cue_in):
+        ball = left[0]
+        racked = _without_apex(table, rack, name, ball.id).put(cue, ball)
+        if ball_in:
+            return put(racked, ball.id, _free_spot(table, racked, cue.id)), ""
+        if cue_in and line is not None and ball.x < line:
+            return put(racked, cue.id, _free_spot(table, racked, ball.id)), ""
+    return (racked.put(cue._replace(phase=POCKETED)), KITCHEN) if cue_in else (racked, "")
 
 
 def interferes(table: Table, name: str, place: Point) -> bool:
     """Whether a ball here lies within the outline of a rack of fifteen, or over it."""
-    radius = table.knobs.ball.radius
-    x, y = table.furniture.racks[name].spot
-    back, half = x + (4.0 * math.sqrt(3.0) + 1.0) * radius, (4.0 + math.sqrt(3.0)) * radius
-    outline = [(x - 2.0 * radius, y), (back, y - half), (back, y + half)]
+    radius, rack = table.knobs.ball.radius, table.furniture.racks[name]
+    x, y = rack.spot
+    # Half of what a ball takes up in the rack, its play included.
+    room = radius + 0.5 * rack.gap
+    back, half = x + (4.0 * math.sqrt(3.0) + 1.0) * room, (4.0 + math.sqrt(3.0)) * room
+    outline = [(x - 2.0 * room, y), (back, y - half), (back, y + half)]
     sides = edges([Corner(*corner, "") for corner in outline])
     return inside(*place, outline) or any(distance_to_edge(*place, side) < radius for side in sides)
 
