@@ -136,7 +136,9 @@ class Carom(Rules[CaromState]):
 
     def fouls(self, state: CaromState, report: Report) -> Iterator[Note]:
         """Art. 41: what ends an inning, as far as it can be seen. 23: the opening goes straight to the red."""
-        for ball in (*report.off, *((report.cue,) if report.cue_off else ())):
+        if report.cue_off:
+            yield Note("foul.cue-off")
+        for ball in report.off:
             yield Note("foul.off", ball=ball)
         for ball in report.pressed:
             yield Note("foul.push", ball=ball)

@@ -14,7 +14,7 @@ from ..report import BALL, Report
 from .base import Ruling, State
 from .pool import DRIVEN, PoolRules, changed, driven
 from .sight import sees, snookered, snookered_from
-from .spotting import KITCHEN, may_place, nearest, put
+from .spotting import KITCHEN, nearest, put
 from .words import Note
 
 BLACK = "black"
@@ -196,7 +196,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
         on, cue = self.on(state, layout, who), layout[self.table.furniture.cue]
         where = KITCHEN if cue.phase == POCKETED else ""
         hidden = (
-            snookered_from(self.table, layout, cue, on, self._places(layout))
+            snookered_from(self.table, layout, cue, on, self._places())
             if where
             else snookered(self.table, layout, cue, on)
         )
@@ -242,10 +242,8 @@ class EnglishEightBall(PoolRules[EnglishState]):
                 spotted.append((ball, place))
         return layout, tuple(spotted)
 
-    def _places(self, layout: Layout) -> Iterator[Point]:
-        """Places all over baulk at which the cue ball has room."""
+    def _places(self) -> Iterator[Point]:
+        """Places all over baulk."""
         line, width = self.table.furniture.spots["head"][0], self.table.knobs.table.width
         for i in range(48):
-            place = (line * (3.5 - i // 12) / 4.0, width * (i % 12 + 0.5) / 12.0)
-            if may_place(self.table, layout, self.table.furniture.cue, KITCHEN, *place):
-                yield place
+            yield line * (3.5 - i // 12) / 4.0, width * (i % 12 + 0.5) / 12.0

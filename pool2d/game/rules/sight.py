@@ -62,9 +62,13 @@ def snookering(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> 
 
 
 def snookered_from(table: Table, layout: Layout, cue: Ball, on: Collection[str], places: Iterable[Point]) -> bool:
-    """2.17 (a): whether a cue ball in hand is snookered wherever it may be put."""
+    """2.17 (a): whether a cue ball in hand is snookered from all the places at which it has room."""
     targets, others = _discs(table, layout, cue, on)
-    return all(_snookered(table, place, targets, others) for place in places)
+    radius = table.body_of(cue)[0]
+    return all(
+        _snookered(table, place, targets, others) or not table.has_room(*place, radius, layout, ignore=cue.id)
+        for place in places
+    )
 
 
 def sees(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> bool:

@@ -16,7 +16,7 @@ from .pool import added, points, told
 from .sight import sees, sees_full, snookered, snookered_from
 from .snooker_fouls import COLOR, LEAST, ORDER, RED, Aim, Foul, aimed, balls_on, fouls, missed, penalty, scored
 from .snooker_spots import COLORS, spot_colors, value
-from .spotting import D, may_place, put
+from .spotting import D, put
 from .words import Note
 
 
@@ -121,7 +121,7 @@ class Snooker(Rules[SnookerState]):
         """3.12: whether the cue ball is snookered after a foul."""
         on, cue = balls_on(state.phase, layout), layout[self.table.furniture.cue]
         if cue.phase == POCKETED:
-            return snookered_from(self.table, layout, cue, on, self._places(layout))
+            return snookered_from(self.table, layout, cue, on, self._places())
         return snookered(self.table, layout, cue, on)
 
     def _foul(
@@ -145,7 +145,7 @@ class Snooker(Rules[SnookerState]):
         if last:
             return self._end(state, layout, change, notes, told_of, spotted)
         if missed(found) and self._is_miss(was, state, layout, report, aim):
-            full = bool(aim.on) and sees_full(self.table, report.start, report.start[report.cue], aim.on)
+            full = sees_full(self.table, report.start, report.start[report.cue], aim.first)
             misses = misses + 1 if full else 0
             notes += (Note("miss"),)
             if misses == 3:
@@ -172,7 +172,7 @@ class Snooker(Rules[SnookerState]):
         is left equals the difference; but (d) it is when a full ball is missed again from the same place.
         """
         start, cue = report.start, report.start[report.cue]
-        on = aim.on or balls_on(before.phase, start)
+        on = aim.first or balls_on(before.phase, start)
         if self.options.miss == "never":
             return False
         if before.misses and sees_full(self.table, start, cue, on):
@@ -212,16 +212,14 @@ class Snooker(Rules[SnookerState]):
         state = self.to_choose(replace(state, tied=True, phase=ORDER, run=0), drawn, "play", "pass")
         return self.ruled(state, layout, *notes, Note("tie"), fouls=told_of, spotted=spotted, points=change)
 
-    def _places(self, layout: Layout) -> Iterator[Point]:
-        """Places all over the D at which the cue ball has room."""
+    def _places(self) -> Iterator[Point]:
+        """Places all over the D."""
         x, y = self.table.furniture.spots["head"]
         for part in (4, 2, 3, 1, 0):
             radius = 0.25 * part * self.table.furniture.d_radius
             for turn in (-4, 4, 0, -2, 2, -3, 3, -1, 1):
                 angle = 0.125 * math.pi * turn
-                place = (x - radius * math.cos(angle), y + radius * math.sin(angle))
-                if may_place(self.table, layout, self.table.furniture.cue, D, *place):
-                    yield place
+                yield x - radius * math.cos(angle), y + radius * math.sin(angle)
 
 
 def points_left(phase: str, layout: Layout, free: bool = False) -> int:

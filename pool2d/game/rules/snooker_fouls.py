@@ -31,6 +31,11 @@ class Aim(NamedTuple):
     worth: int
     free: str = ""
 
+    @property
+    def first(self) -> tuple[str, ...]:
+        """The balls that had to be hit first (3.12 b)."""
+        return (self.free,) if self.free else self.on
+
 
 class Foul(NamedTuple):
     """What was wrong, and the value it is punished by."""
@@ -109,13 +114,12 @@ def _hit(report: Report, aim: Aim) -> Iterator[Foul]:
     if not report.first:
         yield Foul(Note("foul.no-hit"), aim.worth)
         return
-    wanted = (aim.free,) if aim.free else aim.on
     wrong = [ball for ball in report.first if ball not in (*aim.on, aim.free)]
     if len(report.first) > 1:
         free_and_on = aim.free in report.first and not wrong and len(set(report.first) & set(aim.on)) == 1
         if not free_and_on and any(ball in COLORS for ball in report.first):
             yield Foul(Note("foul.two-at-once"), max(aim.worth, *map(value, report.first)))
-    elif not set(report.first) & set(wanted):
+    elif not set(report.first) & set(aim.first):
         yield Foul(Note("foul.wrong-ball", ball=report.first[0]), max(aim.worth, value(report.first[0])))
 
 

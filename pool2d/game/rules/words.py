@@ -111,6 +111,7 @@ def say(note: Note, names: Sequence[str] = ("Player 1", "Player 2"), words: Mapp
     player = names[note.player] if 0 <= note.player < len(names) else ""
     # Of many alike, such as red7, the number is of no interest.
     ball = note.ball if note.ball.isdigit() else note.ball.rstrip("0123456789")
+    ball = "cue ball" if ball == "cue" else ball
     text = words[note.key].format(player=player, ball=ball, points=note.points)
     return text[:1].upper() + text[1:] + "."
 
