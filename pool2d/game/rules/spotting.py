@@ -52,16 +52,16 @@ def nearest(
     Balls in the way are touched, those in `clear` nearly. None where there is no room.
     """
     x, y = spot
-    places = [x]
+    blocked = []
     for other in layout.on_table():
-        if other.id == ball:
-            continue
         reach = table.touch(layout[ball], other) + (CLEAR if other.id in clear else HAIR)
-        if abs(other.y - y) < reach:
-            places.append(other.x + way * math.sqrt(reach * reach - (other.y - y) ** 2))
+        if other.id != ball and abs(other.y - y) < reach:
+            half = math.sqrt(reach * reach - (other.y - y) ** 2)
+            blocked.append((other.x - half, other.x + half))
+    places = [x, *(high if way > 0 else low for low, high in blocked)]
     ahead = sorted((place for place in places if (place - x) * way >= 0.0), key=lambda place: abs(place - x))
     for place in ahead:
-        if has_room(table, layout, ball, (place, y)):
+        if not any(low < place < high for low, high in blocked) and has_room(table, layout, ball, (place, y)):
             return place, y
     return None
 
