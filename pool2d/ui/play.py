@@ -12,6 +12,7 @@ from ..errors import BudgetError, InputError
 from ..game.session import Session
 from ..physics.rollout import Rollout
 from ..preset import load_table
+from ..settings import GUIDES
 from ..table import Table
 from . import guide, play_art, stroke, telling
 from .effects import Effects
@@ -174,8 +175,8 @@ class Play:
         return self.session.in_hand and self.playback is None
 
     def _next_guide(self) -> None:
-        self.level = (self.level + 1) % len(guide.LEVELS)
-        self.told = lambda: say("play.guide", level=say(f"choice.{guide.LEVELS[self.level]}"))
+        self.level = (self.level + 1) % len(GUIDES)
+        self.told = lambda: say("play.guide", level=say(f"choice.{GUIDES[self.level]}"))
 
     def _fast_forward(self, fast: bool) -> None:
         if self.playback is not None:
