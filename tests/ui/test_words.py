@@ -19,7 +19,7 @@ from pool2d.ui.options import PAGES, PALETTES
 UI = Path(words.__file__).parent
 SOURCES = sorted(UI.glob("*.py"))
 # Files whose words are still to be moved into the catalogues.
-NOT_YET = ("tuning.py", "telling.py", "timeline.py")
+NOT_YET = ("tuning.py",)
 # What shows its words to the player.
 SHOWS = {"draw", "Heading", "Button", "Toggle", "Choice", "Slider", "TextField", "toast", "Ask", "draw_message"}
 NAMES = {"pool2d"}
