@@ -11,12 +11,13 @@ import pygame
 from ..physics.motion import Motion
 from ..physics.rollout import Event, Rollout
 from ..physics.values import POCKETED, SLIDING, Ball
+from ..settings import GUIDES
 from ..table import Table
 from . import ball_art, pen, theme
 from .view import View
 
-OFF, LINE, GHOST, WHOLE = range(4)
-LEVELS = ("off", "line", "ghost ball", "whole shot")
+# The levels, as the settings name them in this order.
+OFF, LINE, GHOST, WHOLE = range(len(GUIDES))
 # Enough events to see past the first contact, also out of a rack.
 EVENTS = 25
 # How far the cue ball's way after the contact is followed, m.

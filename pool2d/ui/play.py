@@ -12,13 +12,14 @@ from ..errors import BudgetError, InputError
 from ..game.session import Session
 from ..physics.rollout import Rollout
 from ..preset import load_table
+from ..settings import GUIDES
 from ..table import Table
 from . import guide, play_art, stroke, telling
 from .effects import Effects
 from .hands import Hands
 from .help import Help
 from .in_hand import InHand
-from .keys import action_of, fine_step
+from .keys import KEYS, action_of, fine_step
 from .playback import Playback
 from .saving import ask_to_save
 from .scene import Scene
@@ -26,6 +27,7 @@ from .sound import Sounds
 from .stage import Stage
 from .timeline import Timeline
 from .tuning import Tuning
+from .words import say
 
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
@@ -34,7 +36,8 @@ class Play:
     """A session on screen.
 
     While `playback` is set, its shot is shown. `effects` is what the options allow to move for show; `warning`
-    stays until what it warns of is mended, `message` until the next.
+    stays until what it warns of is mended. `told` says what is told until the next; it is asked anew for every
+    picture, as the language may change.
     """
 
     def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
@@ -50,7 +53,7 @@ class Play:
         self.effects = Effects()
         self.geometry = False
         self.vectors = False
-        self.message = "Aim with the mouse, press, pull back and release. F1 lists every key."
+        self.told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
         self.warning = ""
         self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {
@@ -73,6 +76,11 @@ class Play:
     def rollout(self) -> Rollout | None:
         """The shot that is shown, if one is."""
         return None if self.playback is None else self.playback.rollout
+
+    @property
+    def message(self) -> str:
+        """What is told at present; empty where nothing is."""
+        return self.told()
 
     @property
     def time(self) -> float:
@@ -167,8 +175,8 @@ class Play:
         return self.session.in_hand and self.playback is None
 
     def _next_guide(self) -> None:
-        self.level = (self.level + 1) % len(guide.LEVELS)
-        self.message = f"Guide: {guide.LEVELS[self.level]}"
+        self.level = (self.level + 1) % len(GUIDES)
+        self.told = lambda: say("play.guide", level=say(f"choice.{GUIDES[self.level]}"))
 
     def _fast_forward(self, fast: bool) -> None:
         if self.playback is not None:
@@ -176,7 +184,7 @@ class Play:
 
     def _put_down(self) -> None:
         if self.hands.pull is not None:
-            self.message = "The cue is put down."
+            self.told = lambda: say("play.put_down")
         self.hands.put_down()
 
     def _cancel(self) -> None:
@@ -199,20 +207,21 @@ class Play:
         try:
             rollout = self.session.play(shot)
         except (InputError, BudgetError) as error:
-            self.message = str(error)
+            wrong = str(error)
+            self.told = lambda: wrong
             return
         self._show(Playback(rollout, shot, stroke.lead(drawn, self.effects)))
-        self.message = "Miscue: the tip slipped off the ball." if telling.missed(rollout) else ""
+        self.told = lambda: say("play.miscue") if telling.missed(rollout) else ""
 
     def _replay(self) -> None:
         last = self.session.rollout
         if last is None:
-            self.message = "There is no shot to see again."
+            self.told = lambda: say("play.no_shot")
         elif self.playback is None:
             self.hands.put_down()
             self._show(Playback(last, self.session.position.shot, stroke.lead(False, self.effects), again=True))
             self.timeline.begin(self.hands.pointer)
-            self.message = ""
+            self.told = lambda: ""
 
     def _pause(self) -> None:
         """Hold the shot that runs, or the last one at its beginning."""
@@ -240,11 +249,12 @@ class Play:
         self._drop()
         self.tuning = None
         self.session = Session(load_table(name), seed=random.randrange(1 << 30))
-        self.message = f"{self.session.table.title}: a new rack."
+        title = self.session.table.title
+        self.told = lambda: say("play.new_table", table=title)
 
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:
-            self.message = f"Saved as {path}"
+            self.told = lambda: say("play.saved", path=path)
 
         self._next = ask_to_save(self, self.session.table, saved)
 
@@ -256,12 +266,13 @@ class Play:
 
     def _undo(self) -> None:
         self._drop()
-        self.message = "Taken back." if self.session.undo() else "There is nothing to take back."
+        undone = self.session.undo()
+        self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
 
     def _rack(self) -> None:
         self._drop()
         self.session.rack(random.randrange(1 << 30))
-        self.message = "A new rack."
+        self.told = lambda: say("play.new_rack")
 
     def _drop(self) -> None:
         """Let go of whatever is under way."""
@@ -272,9 +283,9 @@ class Play:
     def _place(self) -> None:
         if self.in_hand.place(self.session):
             self.hands.hold = self.hands.pointer
-            self.message = ""
+            self.told = lambda: ""
         else:
-            self.message = "There is no room for the ball here."
+            self.told = lambda: say("play.no_room")
 
     def change_table(self, table: Table) -> None:
         """Play on with other parameters; raises InputError where the balls do not fit."""
@@ -282,7 +293,7 @@ class Play:
         self.playback = None
         if self.tuning is not None:
             self.tuning.refresh()
-        self.message = "The table's file has changed, and so has the table."
+        self.told = lambda: say("play.file_changed")
 
     # Time.
 
@@ -311,9 +322,10 @@ class Play:
             if self.hands.pointer is not None:
                 self._move(self.hands.pointer)
         if shown.again:
-            self.message = ""
-        elif self.session.in_hand or not self.message.startswith("Miscue"):
-            self.message = telling.outcome(shown.rollout, self.session.cue.id)
+            self.told = lambda: ""
+        elif self.session.in_hand or not telling.missed(shown.rollout):
+            cue = self.session.cue.id
+            self.told = lambda: telling.outcome(shown.rollout, cue)
 
     def draw(self, surface: pygame.Surface) -> None:
         play_art.draw(surface, self)

@@ -9,6 +9,7 @@ import pygame
 from ..physics.strike import hop
 from . import cue_art, hud, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
+from .words import say
 
 if TYPE_CHECKING:
     from .play import Play
@@ -46,7 +47,7 @@ def hop_note(play: Play, speed: float) -> str:
     apex = hop(play.hands.aim.shot("", speed), play.session.table.body_of(play.session.cue)[1], knobs)[1]
     if apex < _HOP:
         return ""
-    return f"So steep and hard, a real ball would hop {1000.0 * apex:.0f} mm. Here it stays on the cloth."
+    return say("play.hop", height=f"{1000.0 * apex:.0f} mm")
 
 
 def _at_rest(surface: pygame.Surface, play: Play) -> None:
@@ -90,7 +91,8 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
 
 def _bars(surface: pygame.Surface, play: Play) -> None:
     session, screen, hands = play.session, play.stage.screen, play.hands
-    note = f"Shot {session.position.shots + 1}   \N{MIDDLE DOT}   {session.left} balls left"
+    shot = say("play.shot", number=session.position.shots + 1)
+    note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
     hud.draw_bars(surface, screen, session.table.title, note)
     play.stage.tray(surface)
     hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)

@@ -10,6 +10,7 @@ from ..preset import differences, save_preset
 from ..table import Table
 from .dialog import Ask
 from .scene import Scene
+from .words import say
 
 
 def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> Ask:
@@ -23,4 +24,4 @@ def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> As
         saved(path)
         return ""
 
-    return Ask(below, "Save this table as a preset", "Name", f"my-{table.source}", save)
+    return Ask(below, say("saving.title"), say("saving.name"), f"{say('saving.my')}-{table.source}", save)

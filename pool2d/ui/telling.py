@@ -3,33 +3,27 @@
 from __future__ import annotations
 
 import math
+from string import digits
 
 from ..physics.rollout import Event, Rollout
 from ..physics.values import POCKETED, Ball
 from ..table import Table
+from .keys import KEYS
+from .words import known, number, say
 
 CONTACTS = ("cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster")
 _STILL = 1e-6
 
 
-def title(event: Event) -> str:
-    """What happened, to which balls and where."""
-    where = (event.where or "").replace("-", " ")
-    if event.kind == "cue_ball":
-        return "The cue strikes" if where != "miscue" else "Miscue"
-    if event.kind == "ball_ball":
-        first, second = _in_order(event)
-        return f"{_name(first)} meets {_name(second)}"
-    if event.kind == "cluster":
-        return f"{', '.join(_name(ball) for ball in event.balls)} meet at once"
-    ball = _name(event.balls[0])
-    return {
-        "ball_cushion": f"{ball} meets the cushion, {where}",
-        "ball_pocket": f"{ball} falls, {where}",
-        "sliding_rolling": f"{ball} slides no more: it rolls",
-        "rolling_resting": f"{ball} comes to rest",
-        "spin_end": f"{ball} stops spinning",
-    }.get(event.kind, f"{ball}: {event.kind.replace('_', ' ')}")
+def title(event: Event, cue: str) -> str:
+    """What happened, to which balls and where; `cue` is the cue ball."""
+    if event.where == "miscue":
+        return say("event.miscue")
+    balls = [_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
+    told = say(
+        f"event.{event.kind}", ball=balls[0], other=balls[-1], balls=", ".join(balls), where=_where(event.where or "")
+    )
+    return _begun(told)
 
 
 def missed(rollout: Rollout) -> bool:
@@ -42,23 +36,28 @@ def measures(event: Event, table: Table) -> str:
     before, after = event.before, event.after
     x = sum(ball.x for ball in before.values()) / len(before)
     y = sum(ball.y for ball in before.values()) / len(before)
-    parts = [f"{event.t:.3f} s", f"at {x:.3f}, {y:.3f} m"]
+    place = say("telling.place", x=number(x, ".3f"), y=number(y, ".3f"))
+    parts = [f"{number(event.t, '.3f')} s", place]
     angle = throw(event)
     if angle is not None:
-        parts.append(f"throw {abs(angle):.1f}\N{DEGREE SIGN}")
+        parts.append(say("telling.throw", angle=number(abs(angle), ".1f") + "\N{DEGREE SIGN}"))
     kept = energy_kept(event, table)
     if kept is not None and event.kind in ("ball_ball", "ball_cushion", "cluster"):
-        parts.append(f"keeps {100.0 * kept:.0f} % of the energy")
+        parts.append(say("telling.kept", percent=f"{100.0 * kept:.0f} %"))
     return "   ".join(part for part in parts if after)
 
 
-def change(event: Event, ball: str) -> str:
+def change(event: Event, ball: str, cue: str) -> str:
     """A ball's speed and spin, before and after: along the cloth, and about the vertical (side)."""
     old, new = event.before[ball], event.after[ball]
-    return (
-        f"{_name(ball)}  {_speed(old):.2f} to {_speed(new):.2f} m/s, "
-        f"roll {_roll(old):.0f} to {_roll(new):.0f}, side {old.wz:.0f} to {new.wz:.0f} rad/s"
-    )
+    told = say(
+        "telling.change",
+        ball=_name(ball, cue),
+        speed=number(_speed(old), ".2f"), speed_after=number(_speed(new), ".2f"),
+        roll=f"{_roll(old):.0f}", roll_after=f"{_roll(new):.0f}",
+        side=f"{old.wz:.0f}", side_after=f"{new.wz:.0f}",
+    )  # fmt: skip
+    return _begun(told)
 
 
 def throw(event: Event) -> float | None:
@@ -88,10 +87,11 @@ def outcome(rollout: Rollout, cue: str) -> str:
     end = rollout.layout()
     fallen = [ball.id for ball in rollout.start.on_table() if end[ball.id].phase == POCKETED]
     if cue in fallen:
-        return "Scratch: the cue ball is in hand. Click where it shall stand."
+        return say("outcome.scratch")
     if all(ball.id == cue for ball in end.on_table()):
-        return "The table is cleared. N sets up a new rack."
-    return f"Down: {', '.join(sorted(fallen, key=lambda ball: (len(ball), ball)))}." if fallen else ""
+        return say("outcome.cleared", rack=KEYS.shown("rack"))
+    fallen.sort(key=lambda ball: (len(ball), ball))
+    return say("outcome.down", balls=", ".join(_name(ball, cue) for ball in fallen)) if fallen else ""
 
 
 def _energy(ball: Ball, table: Table) -> float:
@@ -106,8 +106,23 @@ def _in_order(event: Event) -> tuple[str, str]:
     return (a, b) if _speed(event.before[a]) >= _speed(event.before[b]) else (b, a)
 
 
-def _name(ball: str) -> str:
-    return "Cue ball" if ball == "cue" else ball
+def _name(ball: str, cue: str) -> str:
+    """What a ball is called: "cue ball", "red 6", or what its table calls it."""
+    if ball == cue:
+        return say("ball.its_own")
+    color = ball.rstrip(digits)
+    return f"{say(f'ball.{color}')} {ball[len(color) :]}".rstrip() if known(f"ball.{color}") else ball
+
+
+def _where(name: str) -> str:
+    """A cushion, a pocket or its jaw, by the words in its name; words that mean nothing stay."""
+    place, _, jaw = name.partition(" ")
+    told = " ".join(say(f"place.{word}") if known(f"place.{word}") else word for word in place.split("-"))
+    return say("telling.jaw", where=told) if jaw == "jaw" else f"{told} {jaw}".rstrip()
+
+
+def _begun(sentence: str) -> str:
+    return sentence[:1].upper() + sentence[1:]
 
 
 def _speed(ball: Ball) -> float:

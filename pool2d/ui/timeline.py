@@ -9,10 +9,11 @@ import pygame
 
 from ..physics.rollout import Event
 from ..table import Table
-from . import pen, telling, text, theme
+from . import keys, pen, telling, text, theme
 from .hud import Screen
 from .playback import Playback
 from .widgets import plate
+from .words import number, say
 
 Pos = tuple[int, int]
 
@@ -37,16 +38,6 @@ KEYS = {
 _NOTCH = 0.02
 # How near to a mark the pointer must be, in units.
 _NEAR = 0.75
-_HINTS = {
-    "begin": "To the beginning: Home",
-    "back": "To the event before: Left",
-    "toggle": "Play or hold: Space",
-    "forth": "To the next event: Right",
-    "end": "To the end: End",
-    "slower": "Slower: comma",
-    "faster": "Faster: full stop",
-    "leave": "Back to the table: Esc",
-}
 
 
 class Timeline:
@@ -206,23 +197,29 @@ class Timeline:
         unit, size = self._screen.unit, self._screen.small
         left = self.button("leave").right + 2 * unit
         right = self.track.right
-        clock = f"{max(shown.time, 0.0):.3f} / {shown.end:.2f} s"
+        clock = f"{number(max(shown.time, 0.0), '.3f')} / {number(shown.end, '.2f')} s"
+        cue = table.furniture.cue if shown.shot is None else shown.shot.ball
         y = self._screen.bottom.top + unit * 13 // 4
         pitch = text.font(size).get_linesize()
         place = text.draw(surface, clock, size, theme.TEXT, (right, y), (1.0, 0.0))
         button = self._under_pointer()
         if button:
-            hint = text.draw(surface, _HINTS[button], size, theme.QUIET, (right, y + pitch), (1.0, 0.0))
+            hint = text.draw(surface, _hint(button), size, theme.QUIET, (right, y + pitch), (1.0, 0.0))
             right = hint.left - 2 * unit
         if event is None:
             return
         color = COLORS.get(event.kind, theme.TEXT)
-        title = text.fitted(telling.title(event), size, place.left - left - 2 * unit)
+        title = text.fitted(telling.title(event, cue), size, place.left - left - 2 * unit)
         name = text.draw(surface, title, size, color, (left, y))
         numbers = text.fitted(telling.measures(event, table), size, place.left - name.right - 4 * unit)
         text.draw(surface, numbers, size, theme.TEXT, (name.right + 2 * unit, y))
-        balls = "    ".join(telling.change(event, ball) for ball in event.balls)
+        balls = "    ".join(telling.change(event, ball, cue) for ball in event.balls)
         text.draw(surface, text.fitted(balls, size, right - left), size, theme.TEXT, (left, y + pitch))
+
+
+def _hint(action: str) -> str:
+    """What a button does, and its key."""
+    return say(f"timeline.{action}", key=keys.shown(next(key for key, other in KEYS.items() if other == action)))
 
 
 def _mark(surface: pygame.Surface, x: int, track: pygame.Rect, half: int, color: theme.Color) -> None:

@@ -11,6 +11,7 @@ from ..table import Table
 from . import pen, text, theme
 from .hud import Screen
 from .view import View
+from .words import say
 
 # An arrow's length beyond the ball, m for each m/s, and how long it may be, m.
 _PER_SPEED = 0.1
@@ -53,10 +54,11 @@ def draw_legend(surface: pygame.Surface, screen: Screen) -> pygame.Rect:
     """Say what the colours mean, above the lower bar in the margin on the left; returns its place."""
     unit, size = screen.unit, screen.small
     pitch = text.font(size).get_linesize()
-    width = max(text.font(size).size(words)[0] for _, words in LEGEND) + 4 * unit
+    told = [(color, say(f"vectors.{name}")) for color, name in LEGEND]
+    width = max(text.font(size).size(words)[0] for _, words in told) + 4 * unit
     plate = pygame.Surface((width, pitch * len(LEGEND) + unit), pygame.SRCALPHA)
     pygame.draw.rect(plate, theme.PANEL, plate.get_rect(), border_radius=unit * 3 // 4)
-    for i, (color, words) in enumerate(LEGEND):
+    for i, (color, words) in enumerate(told):
         y = unit / 2 + (i + 0.5) * pitch
         pen.line(plate, color, (unit, y), (unit * 5 / 2, y), unit / 4)
         text.draw(plate, words, size, theme.TEXT, (unit * 13 / 4, y), (0.0, 0.5))

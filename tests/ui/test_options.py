@@ -144,7 +144,7 @@ def test_the_window_opens_in_the_language_and_at_the_guide_set_before(store: Sto
     store.turn("aiming.guide", "line")
     app = App(load_table("pool-9ft"), seed=3, store=store)
     assert words.say("form.cancel") == "Abbrechen"
-    assert app.play.level == guide.LEVELS.index("line")
+    assert app.play.level == guide.LINE
     app.close()
     words.speak("en")
 

@@ -242,7 +242,7 @@ def test_looking_again_leaves_the_aim_and_the_game_alone(hand: Hand) -> None:
 
 def test_an_event_is_told_with_its_numbers() -> None:
     contact = next(event for event in ROLL.events if event.kind == "ball_ball")
-    assert telling.title(contact) == "Cue ball meets 1"
+    assert telling.title(contact, "cue") == "Cue ball meets 1"
     throw = telling.throw(contact)
     assert throw is not None
     before, after = contact.before, contact.after
@@ -257,8 +257,23 @@ def test_an_event_is_told_with_its_numbers() -> None:
     assert f"{contact.t:.3f} s" in words
     assert f"throw {abs(throw):.1f}" in words
     assert f"keeps {100 * kept:.0f} %" in words
-    assert "0.00 to " in telling.change(contact, "1")
+    assert "0.00 to " in telling.change(contact, "1", "cue")
     assert telling.throw(ROLL.events[0]) is None
+
+
+def test_the_cue_ball_is_the_one_struck_whatever_its_name() -> None:
+    contact = next(event for event in ROLL.events if event.kind == "ball_ball")
+    assert telling.title(contact, "1") == "Other cue ball meets cue ball"
+    assert telling.change(contact, "1", "1").startswith("Cue ball")
+
+
+def test_balls_and_places_are_told_in_words_and_unknown_ones_as_they_are() -> None:
+    assert telling._name("red12", "cue") == "red 12"
+    assert telling._name("black", "cue") == "black"
+    assert telling._name("7", "cue") == "7"
+    assert telling._name("left2", "cue") == "left2"
+    assert telling._where("bottom-left jaw") == "bottom left jaw"
+    assert telling._where("nook-left") == "nook left"
 
 
 def test_without_friction_nothing_is_thrown_and_the_energy_is_kept() -> None:
@@ -271,6 +286,6 @@ def test_without_friction_nothing_is_thrown_and_the_energy_is_kept() -> None:
 def test_every_kind_of_event_has_a_title() -> None:
     rack = TABLE.rack("eight-ball", 3)
     events = simulate(TABLE, rack, Shot(angle=0.3, speed=9.0, side=0.3)).events
-    titles = {event.kind: telling.title(event) for event in events}
+    titles = {event.kind: telling.title(event, "cue") for event in events}
     assert {"cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster", "sliding_rolling"} <= set(titles)
     assert all("_" not in title for title in titles.values())

@@ -19,7 +19,7 @@ from pool2d.ui.options import PAGES, PALETTES
 UI = Path(words.__file__).parent
 SOURCES = sorted(UI.glob("*.py"))
 # Files whose words are still to be moved into the catalogues.
-NOT_YET = ("play.py", "tuning.py", "saving.py", "telling.py", "timeline.py", "vectors.py", "guide.py", "play_art.py")
+NOT_YET = ("tuning.py",)
 # What shows its words to the player.
 SHOWS = {"draw", "Heading", "Button", "Toggle", "Choice", "Slider", "TextField", "toast", "Ask", "draw_message"}
 NAMES = {"pool2d"}
@@ -47,8 +47,9 @@ def asked() -> Iterator[tuple[str, str]]:
                 continue
             assert isinstance(node, ast.Call)
             key = node.args[0] if node.args else None
+            counted = r"(\.one)?" if any(place.arg == "count" for place in node.keywords) else ""
             if isinstance(key, ast.Constant) and isinstance(key.value, str):
-                yield re.escape(key.value), path.name
+                yield re.escape(key.value) + counted, path.name
             elif isinstance(key, ast.JoinedStr):
                 parts = [re.escape(str(part.value)) if isinstance(part, ast.Constant) else ".+" for part in key.values]
                 yield "".join(parts), path.name
