@@ -142,7 +142,7 @@ def faults(rules: Rules[Any], ruling: Ruling) -> Iterator[str]:
         yield "the cue ball is not on the table"
     if any(layout[ball].phase == POCKETED for ball in ask.on):
         yield f"a ball on is off the table: {ask.on}"
-    if ask.kind == AIM and not ask.on:
+    if ask.kind == AIM and not ask.on and len(layout.on_table()) > 1:
         yield "no ball is on"
     if ask.kind == CHOOSE and not ask.options:
         yield "nothing can be chosen"

@@ -154,6 +154,16 @@ class Match:
         self._past.append(self._future.pop())
         return True
 
+    def change_table(self, table: Table) -> None:
+        """Go on with other parameters; raises InputError, changing nothing, where the balls do not fit.
+
+        A record of the match would no longer replay: it is for practice.
+        """
+        layout = table.settle(self.layout)
+        rules = game(self.setup.game, table, self.setup.options)
+        self.table, self.rules = table, rules
+        self._past[-1] = replace(self.now, ruling=self.now.ruling._replace(layout=layout))
+
     def _after(self, action: Action) -> Moment:
         now = self.now
         state, layout = now.state, now.layout

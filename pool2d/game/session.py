@@ -1,108 +1,186 @@
-"""A free game on one table: a rack, shots, and the way back."""
+"""What the window plays: a match or practice, and its record, if one is kept."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
+from ..errors import InputError
 from ..physics.rollout import Rollout
-from ..physics.simulate import simulate
-from ..physics.values import POCKETED, Ball, Layout, Shot
+from ..physics.values import Ball, Layout, Shot
 from ..table import Table
+from .actions import Action, Arrange, Concede, NextFrame, Stroke
+from .match import Match, Moment, Setup
+from .recorder import Recorder, record
+from .report import Call
+from .rules import PLACE, Ask, Choice, Ruling
+from .rules.spotting import may_place
 
-
-@dataclass(frozen=True, slots=True)
-class Position:
-    """Where a game stands: the balls, whether the cue ball is in hand, how many shots were played.
-
-    `shot` and `rollout` are of the last one, if it led here.
-    """
-
-    layout: Layout
-    in_hand: bool = False
-    shots: int = 0
-    shot: Shot | None = None
-    rollout: Rollout | None = None
+PRACTICE = "practice"
 
 
 class Session:
-    """The balls on a table and what was done to them.
+    """A match as hands play it: shots, balls in hand, choices, and the way back.
 
-    `position` is the present one. `play`, `place` and `rack` go on, `undo` goes back to before the last
-    shot or rack. Without a name, the rack is the table's first.
+    With a `recorder` every action is written; practice is not recorded.
     """
 
-    def __init__(self, table: Table, rack: str = "", seed: int = 0) -> None:
-        self.table = table
-        self.rack_name = rack or next(iter(table.furniture.racks))
-        self.seed = seed
-        self.position = Position(table.rack(self.rack_name, seed))
-        self._past: list[Position] = []
+    def __init__(self, match: Match, recorder: Recorder | None = None) -> None:
+        self.match = match
+        self.recorder = recorder
+
+    @property
+    def table(self) -> Table:
+        return self.match.table
 
     @property
     def layout(self) -> Layout:
-        return self.position.layout
+        return self.match.layout
+
+    @property
+    def ruling(self) -> Ruling:
+        return self.match.now.ruling
+
+    @property
+    def ask(self) -> Ask:
+        """What is to happen next."""
+        return self.match.ask
+
+    @property
+    def free(self) -> bool:
+        """Whether this is practice: balls may be arranged and the table tuned."""
+        return self.match.setup.game == PRACTICE
 
     @property
     def cue(self) -> Ball:
-        """The cue ball, also while it is in hand."""
-        return self.layout[self.table.furniture.cue]
-
-    @property
-    def rollout(self) -> Rollout | None:
-        """The last shot, if it led here."""
-        return self.position.rollout
+        """The ball to be struck, also while it is in hand."""
+        return self.layout[self.ask.ball or self.table.furniture.cue]
 
     @property
     def in_hand(self) -> bool:
-        return self.position.in_hand
+        """Whether the cue ball has to be placed before anything else."""
+        return self.ask.kind == PLACE
+
+    @property
+    def movable(self) -> bool:
+        """Whether the cue ball may be placed now, be it in hand or on the table."""
+        return bool(self.ask.where)
+
+    @property
+    def last(self) -> Moment | None:
+        """The last stroke of this frame, unless the balls were arranged since."""
+        for moment in reversed(self.match.history):
+            if moment.rollout is not None:
+                return moment
+            if moment.action is None or isinstance(moment.action, Arrange | NextFrame):
+                break
+        return None
+
+    @property
+    def rollout(self) -> Rollout | None:
+        """What the last stroke did."""
+        return None if self.last is None else self.last.rollout
+
+    @property
+    def shot(self) -> Shot | None:
+        """The last stroke's shot."""
+        action = None if self.last is None else self.last.action
+        return action.shot if isinstance(action, Stroke) else None
+
+    @property
+    def strokes(self) -> int:
+        """How many strokes have been played since the balls were racked or arranged."""
+        return self.match.state.shots
 
     @property
     def left(self) -> int:
-        """How many object balls are still on the table."""
+        """How many balls besides the cue ball are still on the table."""
         return sum(ball.id != self.cue.id for ball in self.layout.on_table())
 
-    def play(self, shot: Shot) -> Rollout:
-        """Play a shot to its end; afterwards a cue ball that fell is in hand.
+    def play(self, shot: Shot, call: Call | None = None) -> Rollout:
+        """Play a shot to its end, and have it judged.
 
-        Raises InputError where the cue ball is in hand or the shot is out of range, BudgetError where
-        it does not end; nothing has changed then.
+        Raises InputError where no shot is asked for or it is out of range, BudgetError where it does not
+        end; nothing has changed then.
         """
-        rollout = simulate(self.table, self.layout, shot)
-        end = rollout.layout()
-        fallen = end[self.cue.id].phase == POCKETED
-        self._go_on(Position(end, fallen, self.position.shots + 1, shot, rollout))
+        rollout = self._do(Stroke(shot, call or Call())).rollout
+        assert rollout is not None
         return rollout
 
     def may_place(self, x: float, y: float) -> bool:
-        """Whether the cue ball has room here, its centre on the playing surface."""
-        radius = self.table.body_of(self.cue)[0]
-        return self.table.on_surface(x, y) and self.table.has_room(x, y, radius, self.layout, ignore=self.cue.id)
+        """Whether the cue ball may be put here: in the area that is asked for, and with room."""
+        return self.movable and may_place(self.table, self.layout, self.cue.id, self.ask.where, x, y)
 
     def place(self, x: float, y: float) -> bool:
-        """Put a cue ball in hand on the table; False, and nothing done, where it has no room."""
-        if not (self.in_hand and self.may_place(x, y)):
+        """Put the cue ball on the table; False, and nothing done, where it may not stand there."""
+        if not self.may_place(x, y):
             return False
-        ball = self.cue.still()._replace(x=x, y=y)
-        self.position = replace(self.position, layout=self.layout.put(ball), in_hand=False)
+        self._do(Choice("place", x, y))
         return True
 
-    def rack(self, seed: int) -> None:
-        """Set up a new rack."""
-        self._go_on(Position(self.table.rack(self.rack_name, seed)))
-        self.seed = seed
+    def choose(self, key: str) -> None:
+        """Pick one of the options that are offered; raises InputError for another."""
+        self._do(Choice(key))
+
+    def concede(self, player: int) -> None:
+        """A player gives the frame up."""
+        self._do(Concede(player))
+
+    def next_frame(self) -> None:
+        """Rack for the next frame; raises InputError before this one is over."""
+        self._do(NextFrame())
+
+    def arrange(self, layout: Layout) -> None:
+        """Put the balls somewhere by hand; raises InputError where they cannot stand there, or in a match."""
+        self._do(Arrange(layout))
+
+    def rack(self, seed: int, name: str = "") -> None:
+        """Set up a new rack, the table's first where none is named; raises InputError in a match."""
+        self.arrange(self.table.rack(name or next(iter(self.table.furniture.racks)), seed))
 
     def undo(self) -> bool:
-        """Go back to before the last shot or rack; False where there is nothing to go back to."""
-        if not self._past:
-            return False
-        self.position = self._past.pop()
-        return True
+        """Go back to before the last action, placing aside; False where there is nothing to go back to."""
+        undone = False
+        while True:
+            last = self.match.now
+            if not (self.recorder or self.match).undo():
+                return undone
+            undone = True
+            if not self._placing(last):
+                return True
+
+    def redo(self) -> bool:
+        """Go on to what was last taken back; False where nothing was, or something else was played since."""
+        done = (self.recorder or self.match).redo()
+        while done and self._placing(self.match.now) and (self.recorder or self.match).redo():
+            pass
+        return done
 
     def change_table(self, table: Table) -> None:
-        """Play on with other parameters; raises InputError, changing nothing, where the balls do not fit."""
-        self.position = replace(self.position, layout=table.settle(self.layout))
-        self.table = table
+        """Practise on with other parameters.
 
-    def _go_on(self, position: Position) -> None:
-        self._past.append(self.position)
-        self.position = position
+        Raises InputError, changing nothing, where the balls do not fit, or in a match.
+        """
+        if not self.free:
+            raise InputError("table", "", None, "the table stays as it is for the length of a match")
+        self.match.change_table(table)
+
+    def leave(self) -> None:
+        """Let go of the record; the match can be gone on with."""
+        if self.recorder is not None:
+            self.recorder.close()
+
+    def _do(self, action: Action) -> Moment:
+        return (self.recorder or self.match).play(action)
+
+    @staticmethod
+    def _placing(moment: Moment) -> bool:
+        return isinstance(moment.action, Choice) and moment.action.key == "place"
+
+
+def practice(table: Table, seed: int = 0) -> Session:
+    """Practice on a table, with its first rack."""
+    return Session(Match(table, Setup(game=PRACTICE, seed=seed)))
+
+
+def recorded(table: Table, setup: Setup) -> Session:
+    """A match that is written down as it is played; raises InputError where it cannot be."""
+    match = Match(table, setup)
+    return Session(match, record(match))

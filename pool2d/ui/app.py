@@ -9,7 +9,7 @@ import pygame
 
 from ..errors import InputError
 from ..folders import pictures_folder
-from ..game.session import Session
+from ..game.session import practice
 from ..preset import load_table, preset_files
 from ..settings import GUIDES, Store
 from ..table import Table
@@ -53,7 +53,7 @@ class App:
         pygame.key.set_repeat(300, 30)
         pygame.display.set_caption(f"pool2d \N{EN DASH} {table.title}")
         self.sounds = Sounds()
-        self.play = Play(Session(table, seed=seed), self.sounds)
+        self.play = Play(practice(table, seed), self.sounds)
         self.scene: Scene | None = self.play
         self.toasts = Toasts()
         self._files = Watched(table)

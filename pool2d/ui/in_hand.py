@@ -14,11 +14,8 @@ class InHand:
         self.at: Point | None = None
 
     def where(self, session: Session) -> Point:
-        """Where the ball is held; at first where the rack has it."""
-        if self.at is not None:
-            return self.at
-        start = session.table.rack(session.rack_name)[session.cue.id]
-        return start.x, start.y
+        """Where the ball is held; at first on the table's head spot."""
+        return self.at or session.table.furniture.spots["head"]
 
     def nudge(self, session: Session, dx: float, dy: float) -> None:
         """Move it by so much."""

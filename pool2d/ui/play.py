@@ -9,7 +9,7 @@ from pathlib import Path
 import pygame
 
 from ..errors import BudgetError, InputError
-from ..game.session import Session
+from ..game.session import Session, practice
 from ..physics.rollout import Rollout
 from ..preset import load_table
 from ..settings import GUIDES
@@ -219,7 +219,7 @@ class Play:
             self.told = lambda: say("play.no_shot")
         elif self.playback is None:
             self.hands.put_down()
-            self._show(Playback(last, self.session.position.shot, stroke.lead(False, self.effects), again=True))
+            self._show(Playback(last, self.session.shot, stroke.lead(False, self.effects), again=True))
             self.timeline.begin(self.hands.pointer)
             self.told = lambda: ""
 
@@ -248,7 +248,7 @@ class Play:
         """Go over to another preset, with a new rack; raises InputError."""
         self._drop()
         self.tuning = None
-        self.session = Session(load_table(name), seed=random.randrange(1 << 30))
+        self.session = practice(load_table(name), random.randrange(1 << 30))
         title = self.session.table.title
         self.told = lambda: say("play.new_table", table=title)
 

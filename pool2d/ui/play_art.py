@@ -91,7 +91,7 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
 
 def _bars(surface: pygame.Surface, play: Play) -> None:
     session, screen, hands = play.session, play.stage.screen, play.hands
-    shot = say("play.shot", number=session.position.shots + 1)
+    shot = say("play.shot", number=session.strokes + 1)
     note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
     hud.draw_bars(surface, screen, session.table.title, note)
     play.stage.tray(surface)

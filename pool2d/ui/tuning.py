@@ -56,13 +56,13 @@ class Tuning:
 
     def follow(self, aimed: Shot) -> None:
         """Take the shot that was played last, or where there is none the one that is aimed."""
-        position = self.session.position
-        seen = (position.layout, position.rollout, None if position.shot else aimed)
+        session = self.session
+        seen = (session.layout, session.rollout, None if session.shot else aimed)
         if seen == self._seen:
             return
         self._seen = seen
-        self.start: Layout = position.layout if position.rollout is None else position.rollout.start
-        self.shot = position.shot or aimed
+        self.start: Layout = session.layout if session.rollout is None else session.rollout.start
+        self.shot = session.shot or aimed
         self.error = ""
         self.old = self.new = self._roll(self.session.table)
         self.other = None if self.compared is None else self._roll(self.compared)

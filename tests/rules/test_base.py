@@ -53,7 +53,7 @@ def test_a_choice_that_is_not_asked_for_is_refused() -> None:
         game("practice", TABLE).choose(ruling.state, ruling.layout, Choice("re-rack"))
 
 
-def test_practice_places_counts_and_racks_again() -> None:
+def test_practice_places_and_counts() -> None:
     rules = game("practice", TABLE)
     ruling = rules.start()
     shot = report("cue-1 1> cue>")
@@ -66,7 +66,9 @@ def test_practice_places_counts_and_racks_again() -> None:
     assert ruling.ask.kind == "aim"
     shot = report("cue-2 2>")
     ruling = rules.judge(ruling.state, after(only(ruling.layout, "2"), shot), shot)
-    assert len(ruling.layout.on_table()) == 16
+    # A table that is cleared stays so: whoever practises one shot does not want fifteen balls.
+    assert [ball.id for ball in ruling.layout.on_table()] == ["cue"]
+    assert (ruling.ask.kind, ruling.ask.on) == ("aim", ())
 
 
 def test_a_note_is_a_sentence() -> None:

@@ -14,7 +14,6 @@ import pygame
 import pytest
 
 from pool2d import Ball, Layout, load_table
-from pool2d.game.session import Position
 from pool2d.ui.app import App
 from pool2d.ui.play import Play
 
@@ -72,9 +71,9 @@ class Hand:
         raise AssertionError("the balls are still running")
 
     def set_balls(self, *balls: Ball, in_hand: bool = False) -> None:
-        """Put these balls on the table instead of the rack."""
-        layout = self.play.session.table.settle(Layout(balls))
-        self.play.session.position = Position(layout, in_hand, 0)
+        """Put these balls on the table instead of the rack; the cue ball is taken in hand where that is asked for."""
+        cue = self.play.session.table.furniture.cue
+        self.play.session.arrange(Layout(ball for ball in balls if not (in_hand and ball.id == cue)))
 
 
 @pytest.fixture

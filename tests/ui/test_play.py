@@ -23,7 +23,7 @@ def test_a_shot_with_the_mouse_and_then_another(hand: Hand) -> None:
     hand.press()
     hand.pull(200)
     hand.release()
-    assert session.position.shots == 1
+    assert session.strokes == 1
     assert hand.play.rollout is not None
     hand.wait_for_rest()
     assert session.layout["1"] != session.table.rack("eight-ball", 3)["1"]
@@ -35,7 +35,7 @@ def test_a_shot_with_the_mouse_and_then_another(hand: Hand) -> None:
     hand.press()
     hand.pull(120)
     hand.release()
-    assert session.position.shots == 2
+    assert session.strokes == 2
 
 
 def test_what_is_shown_is_what_was_computed(hand: Hand) -> None:
@@ -78,14 +78,14 @@ def test_a_stroke_can_be_put_down(hand: Hand, way: str) -> None:
         hand.key(pygame.K_ESCAPE)
     hand.release()
     assert hand.play.rollout is None
-    assert hand.play.session.position.shots == 0
+    assert hand.play.session.strokes == 0
 
 
 def test_a_click_is_not_a_shot(hand: Hand) -> None:
     hand.point(1.905, 0.635)
     hand.press()
     hand.release()
-    assert hand.play.session.position.shots == 0
+    assert hand.play.session.strokes == 0
 
 
 @pytest.mark.parametrize(("mod", "step"), [(0, 0.05), (pygame.KMOD_SHIFT, 0.01), (pygame.KMOD_CTRL, 1.0)])
@@ -126,7 +126,7 @@ def test_power_and_strike_by_key(hand: Hand) -> None:
     hand.key(pygame.K_DOWN)
     assert hand.play.hands.aim.speed == pytest.approx(3.75)
     hand.key(pygame.K_SPACE)
-    assert hand.play.session.position.shots == 1
+    assert hand.play.session.strokes == 1
     hand.key(pygame.K_SPACE)
     assert hand.play.rollout is None, "Space skips to rest"
 
@@ -154,7 +154,7 @@ def test_elevation_by_keys_and_by_the_cue_diagram(hand: Hand) -> None:
     hand.press()
     hand.release()
     assert hand.play.hands.aim.elevation == pytest.approx(45.0, abs=2.0)
-    assert hand.play.session.position.shots == 0
+    assert hand.play.session.strokes == 0
 
 
 def test_dragging_a_diagram_leaves_the_aim_alone(hand: Hand) -> None:
@@ -196,7 +196,7 @@ def test_a_scratch_puts_the_cue_ball_in_hand(hand: Hand) -> None:
     hand.release()
     assert not session.in_hand
     assert (session.cue.x, session.cue.y) == pytest.approx((0.5, 0.4), abs=0.002)
-    assert session.position.shots == 1, "placing is not striking"
+    assert session.strokes == 1, "placing is not striking"
 
 
 def test_a_ball_in_hand_by_keyboard_alone(hand: Hand) -> None:
@@ -266,4 +266,4 @@ def test_losing_the_window_puts_the_cue_down(hand: Hand) -> None:
     hand.pull(150)
     hand.post(pygame.WINDOWFOCUSLOST)
     hand.release()
-    assert hand.play.session.position.shots == 0
+    assert hand.play.session.strokes == 0

@@ -50,7 +50,7 @@ def test_a_shot_that_runs_can_be_held_and_goes_on(hand: Hand) -> None:
     assert hand.play.time == pytest.approx(at + 2 * FRAME)
     hand.key(pygame.K_ESCAPE)
     assert hand.play.playback is None
-    assert hand.play.session.position.shots == 1
+    assert hand.play.session.strokes == 1
 
 
 def test_a_replay_left_alone_ends_by_itself_and_one_taken_hold_of_stays(hand: Hand) -> None:
@@ -229,7 +229,7 @@ def test_the_mark_under_the_pointer_is_told_and_not_the_playhead(hand: Hand) -> 
 
 def test_looking_again_leaves_the_aim_and_the_game_alone(hand: Hand) -> None:
     playback = played(hand)
-    aim, position = hand.play.hands.aim, hand.play.session.position
+    aim, position = hand.play.hands.aim, hand.play.session.match.now
     hand.move((300, 300))
     hand.move(hand.play.timeline.button("end").center)
     hand.wheel(1)
@@ -237,7 +237,7 @@ def test_looking_again_leaves_the_aim_and_the_game_alone(hand: Hand) -> None:
     hand.key(pygame.K_ESCAPE)
     assert hand.play.playback is None
     assert playback.rollout is position.rollout
-    assert (hand.play.hands.aim, hand.play.session.position) == (aim, position)
+    assert (hand.play.hands.aim, hand.play.session.match.now) == (aim, position)
 
 
 def test_an_event_is_told_with_its_numbers() -> None:

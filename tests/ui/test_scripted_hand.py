@@ -91,7 +91,7 @@ def test_a_trembling_hand_pots_what_the_guide_promises(hand: Hand) -> None:
         cut = math.remainder(line - math.atan2(ghost[1] - cue.y, ghost[0] - cue.x), math.tau)
         shaky.correct(pocket, math.dist(ghost, (cue.x, cue.y)) / (2 * RADIUS * math.cos(cut)))
         shaky.stroke(rng.uniform(1.5, 4.0))
-        assert hand.play.session.position.shots == 1
+        assert hand.play.session.strokes == 1
         potted += hand.play.session.layout["1"].phase == POCKETED
         shaky.key(pygame.K_RETURN)
     assert potted >= 95

@@ -228,7 +228,7 @@ def test_going_over_to_another_table(hand: Hand) -> None:
     assert hand.play.tuning is None
     hand.point(2.0, 0.9)
     hand.key(pygame.K_SPACE)
-    assert hand.play.session.position.shots == 1
+    assert hand.play.session.strokes == 1
 
 
 def test_aiming_goes_on_beside_the_panel(hand: Hand) -> None:
@@ -241,7 +241,7 @@ def test_aiming_goes_on_beside_the_panel(hand: Hand) -> None:
     hand.press()
     hand.pull(150)
     hand.release()
-    assert hand.play.session.position.shots == 1
+    assert hand.play.session.strokes == 1
 
 
 def test_the_table_makes_room_for_the_panel(hand: Hand) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...physics.values import POCKETED, Ball, Layout
 from ..report import Report
 from .base import Rules, Ruling, State
@@ -10,14 +12,16 @@ from .words import Note
 
 
 class Practice(Rules[State]):
-    """One player, any table. A cue ball that fell is placed again; when no ball is left, they are racked."""
+    """One player, any table. A cue ball that fell is placed again."""
 
     name = "practice"
     title = "Practice"
     players = 1
 
     def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
-        return self._racked(State(seed=seed, scores=(0,), fouls=(0,)))
+        layout = self.table.rack(next(iter(self.table.furniture.racks)), seed)
+        state = State(seed=seed, racks=1, scores=(0,), fouls=(0,))
+        return Ruling(self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout)), layout, points=(0,))
 
     def judge(self, state: State, layout: Layout, report: Report) -> Ruling:
         layout, spotted = spot_balls(self.table, layout, report.off)
@@ -26,8 +30,6 @@ class Practice(Rules[State]):
             seed=state.seed, racks=state.racks, shots=state.shots + 1, scores=(state.scores[0] + scored,), fouls=(0,)
         )
         notes = (Note("score", 0, points=scored),) if scored else ()
-        if not self.on_table(layout):
-            return self._racked(state)._replace(points=(scored,), notes=notes)
         state = self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout))
         return Ruling(state, layout, notes, spotted=spotted, points=(scored,))
 
@@ -40,10 +42,5 @@ class Practice(Rules[State]):
         if cue not in layout:
             x, y = self.table.furniture.spots["head"]
             layout = layout.put(Ball(cue, x, y, phase=POCKETED))
-        layout = self.table.settle(layout)
+        layout, state = self.table.settle(layout), replace(state, shots=0)
         return Ruling(self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout)), layout, points=(0,))
-
-    def _racked(self, state: State) -> Ruling:
-        state, layout = self.racked(state)
-        state = self.to_play(state, layout, 0, ANYWHERE, on=self.on_table(layout))
-        return Ruling(state, layout, points=(0,))
