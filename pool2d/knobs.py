@@ -19,7 +19,7 @@ Group = TypeVar("Group")
 
 @dataclass(frozen=True, slots=True)
 class Knob:
-    """A parameter's default, range (or choices), unit and one line of text; `label` is what a slider is called.
+    """A parameter's default, range (or choices), unit and one line of text.
 
     The default tells the kind: a number, true or false, one of the choices, or where there are none, a text of
     up to `hi` characters.
@@ -31,7 +31,6 @@ class Knob:
     unit: str
     doc: str
     choices: tuple[str, ...] = ()
-    label: str = ""
 
     def allowed(self) -> str:
         """What a value may be, in words."""
@@ -65,24 +64,24 @@ class Knob:
         raise InputError(source, name, value, f"allowed is {self.allowed()}")
 
 
-def knob(default: float, lo: float, hi: float, unit: str, doc: str, label: str = "") -> Any:
+def knob(default: float, lo: float, hi: float, unit: str, doc: str) -> Any:
     """A number within a range, as a dataclass field."""
-    return field(default=default, metadata={_KNOB: Knob(default, lo, hi, unit, doc, label=label)})
+    return field(default=default, metadata={_KNOB: Knob(default, lo, hi, unit, doc)})
 
 
-def choice(default: str, choices: tuple[str, ...], doc: str, label: str = "") -> Any:
+def choice(default: str, choices: tuple[str, ...], doc: str) -> Any:
     """A name out of a few, as a dataclass field."""
-    return field(default=default, metadata={_KNOB: Knob(default, 0.0, 0.0, "", doc, choices, label)})
+    return field(default=default, metadata={_KNOB: Knob(default, 0.0, 0.0, "", doc, choices)})
 
 
-def flag(default: bool, doc: str, label: str = "") -> Any:
+def flag(default: bool, doc: str) -> Any:
     """True or false, as a dataclass field."""
-    return field(default=default, metadata={_KNOB: Knob(default, 0.0, 1.0, "", doc, label=label)})
+    return field(default=default, metadata={_KNOB: Knob(default, 0.0, 1.0, "", doc)})
 
 
-def words(default: str, longest: int, doc: str, label: str = "") -> Any:
+def words(default: str, longest: int, doc: str) -> Any:
     """A line of text, as a dataclass field."""
-    return field(default=default, metadata={_KNOB: Knob(default, 0.0, longest, "", doc, label=label)})
+    return field(default=default, metadata={_KNOB: Knob(default, 0.0, longest, "", doc)})
 
 
 def walk(group: object, prefix: str = "") -> Iterator[tuple[str, Knob, float | str]]:

@@ -11,9 +11,9 @@ from .cushions import CUSHION_LAWS
 
 @dataclass(frozen=True, slots=True)
 class Cloth:
-    mu_slide: float = knob(0.2, 0.01, 1.0, "", "sliding friction of a ball on the cloth", "Sliding friction")
-    mu_roll: float = knob(0.01, 0.001, 0.2, "", "rolling resistance of the cloth", "Rolling resistance")
-    mu_spin: float = knob(0.0127, 0.001, 0.5, "", "friction that slows spin about the vertical", "Spinning friction")
+    mu_slide: float = knob(0.2, 0.01, 1.0, "", "sliding friction of a ball on the cloth")
+    mu_roll: float = knob(0.01, 0.001, 0.2, "", "rolling resistance of the cloth")
+    mu_spin: float = knob(0.0127, 0.001, 0.5, "", "friction that slows spin about the vertical")
     bounce: float = knob(0.5, 0.0, 1.0, "", "speed a ball keeps off the slate: when a steep stroke would hop")
 
 

@@ -188,6 +188,8 @@ class App:
         palette = theme.PALETTES.get(values.balls.palette, theme.STANDARD)
         self.play.effects = Effects(values.balls.trails, values.screen.reduced_motion)
         self.play.stage.style = theme.Style(palette, values.balls.patterned)
+        if self.play.tuning is not None:
+            self.play.tuning.lay_out()
         self.sounds.volume = values.sound.volume
         self.sounds.mute(values.sound.mute)
         self._unsaved = 0.0

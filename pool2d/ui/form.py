@@ -40,10 +40,12 @@ class Form:
         return [widget for row in self.rows for widget in row]
 
     def set_rows(self, rows: list[list[Widget]]) -> None:
-        """Show these; the focus stays with its widget if that is still there."""
+        """Show these; the focus stays with its widget, or goes to the one that now stands in its place."""
+        at = self.widgets.index(self.focus) if self.focus is not None else 0
         self.rows = rows
         if self.focus not in self.widgets:
-            self.focus = next((widget for widget in self.widgets if widget.focusable), None)
+            there = self.widgets[at : at + 1]
+            self.focus = next((widget for widget in there + self.widgets if widget.focusable), None)
         self._held = self._held if self._held in self.widgets else None
         if self._hovered not in self.widgets:
             self._hovered = None

@@ -30,7 +30,7 @@ class Slider(Widget):
         self.get = get
         self.put = put
         self.reset = reset
-        self.hint = hint or f"{knob.doc}; {knob.allowed()}"
+        self.hint = hint
         # Where a range spans several powers of ten, equal steps are equal ratios.
         self._log = knob.lo > 0.0 and knob.hi / knob.lo >= 50.0
         self._unit = 8
@@ -71,7 +71,7 @@ class Slider(Widget):
         track, value = self._track(), self.get()
         top = self.rect.top + unit // 2
         color = theme.ACCENT if focused else theme.TEXT
-        shown = f"{words.number(value, '.4g')} {self.knob.unit}".rstrip()
+        shown = f"{words.number(value, '.4g')} {words.unit(self.knob.unit)}".rstrip()
         told = text.draw(surface, shown, unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
         label = text.fitted(self.label, unit * 7 // 4, told.left - self.rect.left - unit)
         text.draw(surface, label, unit * 7 // 4, color, (self.rect.left, top))

@@ -79,7 +79,7 @@ class Options(Dialog):
         def put(value: object) -> None:
             self.store.turn(name, value)
             if name == "screen.language":
-                self._say_anew()
+                self._lay_out()
 
         if isinstance(knob.default, bool):
             return Toggle(label, lambda: bool(get()), put, hint)
@@ -91,13 +91,7 @@ class Options(Dialog):
     def _open(self, page: str) -> None:
         self.page = page
         self.form.scroll = 0
-        self._say_anew()
-
-    def _say_anew(self) -> None:
-        """Lay out again, with the focus where it was."""
-        at = self.form.widgets.index(self.form.focus) if self.form.focus is not None else 0
         self._lay_out()
-        self.form.focus = self.form.widgets[min(at, len(self.form.widgets) - 1)]
 
     def _keys_changed(self) -> None:
         self.store.bind(KEYS.names())
@@ -108,7 +102,7 @@ class Options(Dialog):
             self._keys_changed()
         for name, knob in self._settings():
             self.store.turn(name, knob.default)
-        self._say_anew()
+        self._lay_out()
 
     def _close(self) -> None:
         self.done = True
@@ -199,7 +193,7 @@ def _told(name: str) -> Callable[[str], str]:
     """How the values of a setting are told."""
     if name == "screen.language":
         return _language
-    return lambda value: say(f"choice.{value}") if words.known(f"choice.{value}") else value
+    return lambda value: words.say_or(f"choice.{value}", value)
 
 
 def _language(code: str) -> str:

@@ -9,7 +9,7 @@ from ..physics.rollout import Event, Rollout
 from ..physics.values import POCKETED, Ball
 from ..table import Table
 from .keys import KEYS
-from .words import known, number, say
+from .words import known, number, say, say_or
 
 CONTACTS = ("cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster")
 _STILL = 1e-6
@@ -117,7 +117,7 @@ def _name(ball: str, cue: str) -> str:
 def _where(name: str) -> str:
     """A cushion, a pocket or its jaw, by the words in its name; words that mean nothing stay."""
     place, _, jaw = name.partition(" ")
-    told = " ".join(say(f"place.{word}") if known(f"place.{word}") else word for word in place.split("-"))
+    told = " ".join(say_or(f"place.{word}", word) for word in place.split("-"))
     return say("telling.jaw", where=told) if jaw == "jaw" else f"{told} {jaw}".rstrip()
 
 

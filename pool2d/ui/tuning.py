@@ -19,15 +19,16 @@ from .form import Form
 from .hud import Screen
 from .inputs import Choice, ListBox, Slider
 from .widgets import Button, Heading, Tabs, Widget
+from .words import number, say, say_or, unit
 
 # The panel's pages, and the knobs on each by the beginning of their names.
 PAGES = {
-    "Cloth": ("gravity", "cloth."),
-    "Balls": ("ball.",),
-    "Cushions": ("cushion.",),
-    "Pockets": ("corner.", "side."),
-    "Cue": ("cue.",),
-    "Table": ("table.",),
+    "cloth": ("gravity", "cloth."),
+    "balls": ("ball.",),
+    "cushions": ("cushion.",),
+    "pockets": ("corner.", "side."),
+    "cue": ("cue.",),
+    "table": ("table.",),
 }
 NOTHING = "nothing"
 
@@ -42,7 +43,7 @@ class Tuning:
 
     def __init__(self, session: Session, aimed: Shot, save: Callable[[], None], go_to: Callable[[str], None]) -> None:
         self.session = session
-        self.page = "Cloth"
+        self.page = "cloth"
         self.error = ""
         self.compared: Table | None = None
         self.other: Rollout | None = None
@@ -52,7 +53,7 @@ class Tuning:
         self._go_to = go_to
         self.chosen = session.table.source
         self.form = Form([])
-        self._lay_out()
+        self.lay_out()
 
     def follow(self, aimed: Shot) -> None:
         """Take the shot that was played last, or where there is none the one that is aimed."""
@@ -116,7 +117,7 @@ class Tuning:
     def go(self) -> None:
         """Leave this table for the chosen one."""
         if self.chosen not in presets():
-            self.error = "Choose a table in the list."
+            self.error = say("tuning.choose")
             return
         try:
             self._go_to(self.chosen)
@@ -155,30 +156,55 @@ class Tuning:
 
     # What is on the panel.
 
-    def _lay_out(self) -> None:
+    def lay_out(self) -> None:
+        """Put the open page on the panel, in the language of the moment."""
         rows: list[list[Widget]] = [
-            [Heading(lambda: "Tune the table", theme.TEXT, large=True)],
+            [Heading(lambda: say("tuning.title"), theme.TEXT, large=True)],
             [Heading(self._summary)],
-            [Tabs(list(PAGES), lambda: self.page, self._open)],
+            [Tabs(list(PAGES), lambda: self.page, self._open, lambda page: say(f"tuning.page.{page}"))],
             *([self._widget(name, knob)] for name, knob, _ in self._knobs() if name.startswith(PAGES[self.page])),
             *self._tables(),
-            [Choice("Conditions", lambda: [NOTHING, *conditions()], self._conditions, self.condition, _CONDITIONS)],
-            [Choice("Compare with", lambda: [NOTHING, *presets()], self._compared, self.compare, _COMPARE)],
+            *self._others(),
             [
-                Button("Swap", self.swap, "play on the table compared with, and compare with this one"),
-                Button("Reset all", self.reset, "set every knob back to the preset's value"),
-                Button("Save as", self._save, "keep this table as a preset of your own", strong=True),
+                Button(say("tuning.swap"), self.swap, say("tuning.swap_hint")),
+                Button(say("tuning.reset"), self.reset, say("tuning.reset_hint")),
+                Button(say("tuning.save"), self._save, say("tuning.save_hint"), strong=True),
             ],
         ]
         self.form.set_rows(rows)
 
+    def _others(self) -> list[list[Widget]]:
+        """What is laid over the preset, and what it is compared with."""
+        return [
+            [
+                Choice(
+                    say("tuning.conditions"),
+                    lambda: [NOTHING, *conditions()],
+                    self._conditions,
+                    self.condition,
+                    say("tuning.conditions_hint"),
+                    _condition,
+                )
+            ],
+            [
+                Choice(
+                    say("tuning.compare"),
+                    lambda: [NOTHING, *presets()],
+                    self._compared,
+                    self.compare,
+                    say("tuning.compare_hint"),
+                    lambda name: say("tuning.nothing") if name == NOTHING else name,
+                )
+            ],
+        ]
+
     def _tables(self) -> list[list[Widget]]:
         """On the page of that name: the presets, to play on another."""
-        if self.page != "Table":
+        if self.page != "table":
             return []
         return [
             [ListBox(presets, lambda: self.chosen, self._choose, lines=6)],
-            [Button("Play on this table", self.go, "leave this game for a new rack on the chosen table")],
+            [Button(say("tuning.go"), self.go, say("tuning.go_hint"))],
         ]
 
     def _choose(self, name: str) -> None:
@@ -189,21 +215,19 @@ class Tuning:
 
     def _open(self, page: str) -> None:
         self.page = page
-        focus = self.form.focus
-        self._lay_out()
-        if isinstance(focus, Tabs):
-            self.form.focus = next(widget for widget in self.form.widgets if isinstance(widget, Tabs))
+        self.lay_out()
 
     def _widget(self, name: str, knob: Knob) -> Widget:
-        plain = name if self.page == "Pockets" else name.rpartition(".")[2]
-        label = knob.label or plain.replace("_", " ").replace(".", " ").capitalize()
+        label = say(f"knob.{name}")
+        doc = say_or(f"knob.{name}_hint", knob.doc)
         if knob.choices:
             return Choice(
                 label,
                 lambda: knob.choices,
                 lambda: str(self._value(name)),
                 lambda value: self.turn(name, value),
-                knob.doc,
+                doc,
+                lambda value: say_or(f"choice.{value}", value),
             )
         return Slider(
             label,
@@ -211,6 +235,12 @@ class Tuning:
             lambda: float(self._value(name)),
             lambda value: self.turn(name, value),
             lambda: self.reset(name),
+            say(
+                "tuning.range",
+                doc=doc,
+                lo=number(knob.lo, "g"),
+                hi=f"{number(knob.hi, 'g')} {unit(knob.unit)}".rstrip(),
+            ),
         )
 
     def _knobs(self) -> list[tuple[str, Knob, float | str]]:
@@ -225,12 +255,13 @@ class Tuning:
 
     def _summary(self) -> str:
         changed = len(self.session.table.set)
-        parts = [self.session.table.title, *self.session.table.conditions]
-        return f"{', '.join(parts)}; {changed or 'no'} knob{'' if changed == 1 else 's'} turned"
+        parts = [self.session.table.title, *map(_condition, self.session.table.conditions)]
+        return f"{', '.join(parts)}; {say('tuning.turned', count=changed) if changed else say('tuning.unturned')}"
 
     def _compared(self) -> str:
         return NOTHING if self.compared is None else self.compared.source
 
 
-_CONDITIONS = "cloth, balls and cushions as they get in use; they lie over the preset and under the knobs"
-_COMPARE = "show the same shot on another table too"
+def _condition(name: str) -> str:
+    """Conditions as they are told; one's own by their file's name."""
+    return say("tuning.usual") if name == NOTHING else say_or(f"condition.{name}", name)

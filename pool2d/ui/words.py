@@ -93,6 +93,11 @@ def known(key: str) -> bool:
     return _text(key) is not None
 
 
+def say_or(key: str, other: str) -> str:
+    """A text without places; `other` where there is none of that key."""
+    return _text(key) or other
+
+
 def number(value: float, form: str) -> str:
     """A number as the language writes it: `form` is as for `format`."""
     return format(value, form).replace(".", say("number.point"))
@@ -102,6 +107,11 @@ def speed(value: float) -> str:
     """A speed, given in m/s, in the unit the player has chosen."""
     unit = _Present.unit
     return f"{number(value * SPEEDS[unit], '.2f' if unit == 'm/s' else '.1f')} {unit}"
+
+
+def unit(name: str) -> str:
+    """A unit as the language writes it."""
+    return say_or(f"unit.{name}", name)
 
 
 def system_language() -> str:

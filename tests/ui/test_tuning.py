@@ -12,6 +12,7 @@ from pool2d.knobs import walk
 from pool2d.ui.debug import draw_geometry
 from pool2d.ui.dialog import Ask
 from pool2d.ui.inputs import Choice, Slider
+from pool2d.ui.keys import KEYS
 from pool2d.ui.tuning import NOTHING, PAGES, Tuning
 from pool2d.ui.widgets import Button, Tabs, Widget
 
@@ -79,7 +80,7 @@ def test_a_shot_from_the_aim_is_shown_where_none_was_played(hand: Hand) -> None:
 def test_the_panel_by_keyboard_alone(hand: Hand) -> None:
     tuning = panel(hand)
     hand.key(pygame.K_RIGHT)
-    assert tuning.page == "Balls"
+    assert tuning.page == "balls"
     assert isinstance(tuning.form.focus, Tabs)
     hand.key(pygame.K_LEFT)
     hand.key(pygame.K_TAB)
@@ -115,7 +116,7 @@ def test_every_widget_of_every_page_does_something(hand: Hand, page: str) -> Non
 
 def test_a_law_is_chosen_by_name(hand: Hand) -> None:
     tuning = panel(hand)
-    tuning._open("Balls")
+    tuning._open("balls")
     choice = widget(tuning, "Law")
     assert isinstance(choice, Choice)
     before = choice.get()
@@ -183,7 +184,7 @@ def test_a_click_on_a_page_leaves_the_aim_alone(hand: Hand) -> None:
     angle = hand.play.hands.aim.angle
     hand.press()
     hand.release()
-    assert tuning.page == "Table"
+    assert tuning.page == "table"
     assert hand.play.hands.aim.angle == angle
 
 
@@ -220,7 +221,7 @@ def test_a_saved_file_changes_what_the_panel_shows(hand: Hand) -> None:
 
 def test_going_over_to_another_table(hand: Hand) -> None:
     tuning = panel(hand)
-    tuning._open("Table")
+    tuning._open("table")
     hand.app.step(0.0)
     tuning.chosen = "snooker-12ft"
     press(hand, widget(tuning, "Play on this table").rect.center)
@@ -278,6 +279,21 @@ def test_leaving_the_question_saves_nothing(hand: Hand, tmp_path: Path, monkeypa
     hand.key(pygame.K_ESCAPE)
     assert not isinstance(hand.app.scene, Ask)
     assert not list(tmp_path.rglob("*.toml"))
+
+
+def test_the_panel_and_the_message_follow_the_language_and_the_keys(hand: Hand) -> None:
+    tuning = panel(hand)
+    tuning.form.focus = widget(tuning, "Rolling resistance")
+    hand.app.store.turn("screen.language", "de")
+    try:
+        assert tuning.form.focus is widget(tuning, "Rollwiderstand")
+        assert "kein Regler" in tuning._summary()
+        assert hand.play.message.startswith("Mit der Maus zielen")
+        KEYS.bind("help", pygame.K_h)
+        assert "H zeigt alle Tasten" in hand.play.message
+    finally:
+        KEYS.reset()
+        hand.app.store.turn("screen.language", "en")
 
 
 class Recorder:

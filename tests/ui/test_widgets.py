@@ -56,7 +56,7 @@ def click(made: Form, pos: tuple[int, int]) -> None:
 
 
 def slider(cell: Cell, lo: float = 0.0, hi: float = 1.0, reset: Callable[[], None] = lambda: None) -> Slider:
-    return Slider("Friction", Knob(0.5, lo, hi, "", "how rough"), cell.number, cell.put, reset)
+    return Slider("Friction", Knob(0.5, lo, hi, "", "how rough"), cell.number, cell.put, reset, "how rough")
 
 
 def test_a_slider_follows_the_pointer_even_outside_itself() -> None:

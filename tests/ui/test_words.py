@@ -11,19 +11,22 @@ import pytest
 
 from pool2d.assets import asset
 from pool2d.knobs import walk
+from pool2d.preset import conditions
 from pool2d.settings import GUIDES, Settings
-from pool2d.ui import words
+from pool2d.table import Knobs
+from pool2d.ui import timeline, tuning, vectors, words
 from pool2d.ui.keys import DEFAULTS, FIXED, HANDS, rows
 from pool2d.ui.options import PAGES, PALETTES
 
 UI = Path(words.__file__).parent
 SOURCES = sorted(UI.glob("*.py"))
-# Files whose words are still to be moved into the catalogues.
-NOT_YET = ("tuning.py",)
 # What shows its words to the player.
 SHOWS = {"draw", "Heading", "Button", "Toggle", "Choice", "Slider", "TextField", "toast", "Ask", "draw_message"}
 NAMES = {"pool2d"}
 ENGLISH = words.catalogue("en").texts
+KNOBS = {f"knob.{name}": knob for name, knob, _ in walk(Knobs())}
+# What English takes from the knobs themselves.
+HINTS = {f"{key}_hint": knob.doc for key, knob in KNOBS.items()}
 
 
 @pytest.fixture(autouse=True)
@@ -43,7 +46,7 @@ def asked() -> Iterator[tuple[str, str]]:
     """Every key that the window asks for, as a pattern, and where."""
     for path in SOURCES:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if called(node) not in ("say", "known"):
+            if called(node) not in ("say", "say_or", "known"):
                 continue
             assert isinstance(node, ast.Call)
             key = node.args[0] if node.args else None
@@ -64,18 +67,19 @@ def test_a_catalogue_reads_well(language: str) -> None:
 
 @pytest.mark.parametrize("language", words.languages())
 def test_every_language_says_everything(language: str) -> None:
-    assert set(words.catalogue(language).texts) == set(ENGLISH)
+    wanted = set(ENGLISH) | set(() if language == "en" else HINTS)
+    assert set(words.catalogue(language).texts) == wanted
 
 
 @pytest.mark.parametrize("language", words.languages())
 def test_every_language_has_the_same_places_to_fill(language: str) -> None:
     for key, text in words.catalogue(language).texts.items():
-        assert words.places(text) == words.places(ENGLISH[key]), key
+        assert words.places(text) == words.places((ENGLISH | HINTS)[key]), key
 
 
 def test_every_text_asked_for_is_there() -> None:
     for pattern, where in asked():
-        assert any(re.fullmatch(pattern, key) for key in ENGLISH), f"{where} asks for {pattern}"
+        assert any(re.fullmatch(pattern, key) for key in ENGLISH | HINTS), f"{where} asks for {pattern}"
 
 
 def test_no_text_is_idle() -> None:
@@ -93,10 +97,15 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [f"choice.{value}" for value in (*GUIDES, *PALETTES)]
     turned = [name for name, _, _ in walk(Settings()) if name not in ("screen.width", "screen.height")]
     wanted += [f"setting.{name}{ending}" for name in turned for ending in ("", "_hint")]
+    wanted += [*KNOBS, *(f"choice.{value}" for knob in KNOBS.values() for value in knob.choices)]
+    wanted += [f"condition.{name}" for name in conditions()]
+    wanted += [f"tuning.page.{page}" for page in tuning.PAGES]
+    wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
+    wanted += [f"vectors.{name}" for _, name in vectors.LEGEND]
     assert [key for key in wanted if key not in ENGLISH] == []
 
 
-@pytest.mark.parametrize("path", [path for path in SOURCES if path.name not in NOT_YET], ids=lambda path: path.name)
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
 def test_no_words_stand_in_the_code(path: Path) -> None:
     shown = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
