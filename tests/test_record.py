@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import random
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from benchmarks import replays
 from pool2d import InputError, Shot, load_table
 from pool2d.cli import main
 from pool2d.game.actions import Concede, Stroke
@@ -22,6 +24,8 @@ from pool2d.game.recorder import Recorder, record, resume, unfinished
 from pool2d.game.rules import GAMES
 
 from .random_play import new_match, random_action
+
+ROOT = Path(__file__).resolve().parent.parent
 
 
 @pytest.fixture(autouse=True)
@@ -311,3 +315,17 @@ def test_records_begun_in_the_same_second_have_names_of_their_own() -> None:
     for recorder in recorders:
         recorder.close()
     assert len(list(matches_folder().iterdir())) == 3
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="a process is killed that was forked")
+def test_a_few_kills_lose_nothing() -> None:
+    words = [sys.executable, "-m", "benchmarks.kills", "--kills", "4"]
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("4 kills, ")
+    assert ", 0 faults; " in done.stdout
+
+
+def test_a_random_match_of_a_game_comes_back() -> None:
+    for what, _ in (replays.attempt(("nine-ball", 4)), replays.attempt(("practice", 4))):
+        assert what == ""
