@@ -106,6 +106,7 @@ def test_unfinished_matches_are_offered_the_latest_first(tmp_path: Path) -> None
         pass  # Nothing was played: nothing to resume.
     (matches_folder() / "noise.jsonl").write_text("noise")
     assert unfinished() == paths[::-1]
+    assert unfinished(3) == [paths[2]]  # Beside the noise and the one that was not begun.
     with resume(paths[1]) as recorder:
         recorder.leave()
     assert unfinished() == [paths[2], paths[0]]
@@ -150,6 +151,7 @@ def test_damage_is_told_apart(good: bytes, tmp_path: Path, capsys: pytest.Captur
     edited = good.replace(b'"do":"stroke"', b'"do":"strike"', 1)
     cases = {
         b"": ", line 1: not a record of pool2d",
+        b"noise\nand more": ", line 1: not a record of pool2d",
         b"noise\n": ", line 1: not a record of pool2d",
         b"[1, 2]\n": ", line 1: not a record of pool2d",
         b'{"a": 1}\n': ", line 1: not a record of pool2d",
@@ -210,6 +212,8 @@ def test_a_change_with_good_sums_diverges(good: bytes, tmp_path: Path, capsys: p
     assert diverges(first, state="0").what == "the game does not stand as recorded after this stroke"
     assert diverges(first, shot="cue:1.5,3.0").line == stroke + 2
     assert "is refused" in diverges(first, shot="1:1.5,3.0").what
+    with pytest.raises(InputError, match=f"^{path}, line {stroke + 2}: stroke is refused: "):
+        takes(load(path))
     assert "is refused" in diverges(first, do="redo").what
     assert "is refused" in diverges(first, do="jump").what
     assert diverges({**first, "state": "0"}) == Divergence(1, "the balls do not start as recorded")
