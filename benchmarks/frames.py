@@ -1,7 +1,7 @@
 """How long frames take, drawn in software: `python -m benchmarks.frames [WxH]`.
 
-Prints the time from starting Python to the first frame, and the median and longest frame at rest,
-while aiming (the guide is simulated anew each frame) and with sixteen balls rolling.
+Prints the time from starting Python to the splash and to the end of the first frame, and the shortest, median and
+longest frame at rest, while aiming (the guide is simulated anew each frame) and with sixteen balls rolling.
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ _FRAMES = 200
 
 def main(size: tuple[int, int]) -> None:
     print(f"{size[0]}x{size[1]}, {_FRAMES} frames each")
-    starts = [_cold_start() for _ in range(5)]
-    print(f"first frame    {1e3 * statistics.median(starts):7.0f} ms after the process began, median of {len(starts)}")
+    starts = [_cold_start() for _ in range(9)]
+    for name, times in zip(("splash after", "ready after"), zip(*starts, strict=True), strict=True):
+        print(f"{name:<14} {1e3 * statistics.median(times):7.0f} ms, median of {len(times)} starts of Python")
     app = App(load_table("pool-9ft"), seed=3, size=size)
     app.step(0.0)
     _tell("at rest", app, lambda: None)
@@ -46,13 +47,32 @@ def _tell(name: str, app: App, change: Callable[[], None], dt: float = 0.0) -> N
         start = time.perf_counter()
         app.step(dt)
         times.append(1e3 * (time.perf_counter() - start))
-    print(f"{name:<14} {statistics.median(times):7.2f} ms median, {max(times):6.2f} ms longest")
+    print(
+        f"{name:<14} {statistics.median(times):7.2f} ms median, {min(times):6.2f} shortest, {max(times):6.2f} longest"
+    )
 
 
-def _cold_start() -> float:
-    start = time.perf_counter()
-    subprocess.run([sys.executable, "main.py", "--frames", "1"], check=True)
-    return time.perf_counter() - start
+# Plays one frame, and prints when the splash and the frame were on the screen.
+_START = """
+import sys, time
+from pool2d.cli import main
+from pool2d.ui.window import Splash
+def tell(self, part, real=Splash.tell):
+    real(self, part)
+    if part == 0.0:
+        print(time.time())
+Splash.tell = tell
+main(["play", "--frames", "1"])
+print(time.time())
+"""
+
+
+def _cold_start() -> tuple[float, float]:
+    """How long after its start Python shows the splash, and the first frame, s."""
+    start = time.time()
+    done = subprocess.run([sys.executable, "-c", _START], check=True, capture_output=True, text=True)
+    splash, ready = (float(line) - start for line in done.stdout.split())
+    return splash, ready
 
 
 if __name__ == "__main__":

@@ -29,7 +29,7 @@ from pool2d.physics.values import POCKETED, Ball, Layout
 
 TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft")
 # Games to a score are played to less, so that they end.
-SHORT = {"straight": {"target": 8.0}}
+SHORT = {"straight": {"target": 8.0}, "three-cushion": {"points": 2.0}, "straight-rail": {"points": 3.0}}
 # After so many strokes a match is given up.
 STROKES = 300
 # Practice never ends.

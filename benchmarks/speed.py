@@ -43,17 +43,21 @@ def tight_break(table: Table, seed: int) -> tuple[Layout, Shot]:
 def contact(table: Table, law: str) -> float:
     """Microseconds that one contact takes to solve: of two balls, or of a ball and a cushion."""
     radius, mass = table.knobs.ball.radius, table.knobs.ball.mass
-    contacts = Contacts(table.physics)
+    reach = table.reach(radius)
+    contacts = Contacts(table, [reach, reach])
+    rail = next(element for element in table.elements if element.name == "right")
+    x, y = table.knobs.table.length - reach, 0.5 * table.knobs.table.width
     count, total = 4000, 0.0
     for i in range(count):
         spin = (i % 7 - 3) * 10.0
-        a = Body(Ball("1", 0.0, 0.0, 1.0, 0.3, spin, 30.0, -spin), 0, radius, mass)
-        b = Body(Ball("2", 2.0 * radius, 0.0), 1, radius, mass)
+        moving = Ball("1", x if law == "cushion" else 1.0, y, 1.0, 0.3, spin, 30.0, -spin)
+        a = Body(moving, 0, radius, mass)
+        b = Body(Ball("2", 1.0 + 2.0 * radius, y), 1, radius, mass)
         begin = time.perf_counter()
         if law == "ball":
             contacts.balls(a, b, [a, b])
         else:
-            contacts.cushion(a, 1.0, 0.0)
+            contacts.cushion(a, rail, [a])
         total += time.perf_counter() - begin
     return 1e6 * total / count
 

@@ -1,13 +1,33 @@
-"""pool2d: a 2D pool table whose physics can be trusted."""
+"""pool2d: a 2D pool table whose physics can be trusted.
+
+The names are fetched when they are first asked for, so that the window can open before physics and tables are read.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from ._version import __version__
-from .errors import BudgetError, InputError
-from .physics.rollout import Event, Rollout
-from .physics.simulate import simulate
-from .physics.values import Ball, Layout, Shot
-from .preset import load_table
-from .scenario import Scenario, load_scenario
-from .table import Table
+
+if TYPE_CHECKING:
+    from .errors import BudgetError, InputError
+    from .physics.rollout import Event, Rollout
+    from .physics.simulate import simulate
+    from .physics.values import Ball, Layout, Shot
+    from .preset import load_table
+    from .scenario import Scenario, load_scenario
+    from .table import Table
+
+_HOMES = {
+    "errors": ("BudgetError", "InputError"),
+    "physics.rollout": ("Event", "Rollout"),
+    "physics.simulate": ("simulate",),
+    "physics.values": ("Ball", "Layout", "Shot"),
+    "preset": ("load_table",),
+    "scenario": ("Scenario", "load_scenario"),
+    "table": ("Table",),
+}
 
 __all__ = [
     "Ball",
@@ -24,3 +44,10 @@ __all__ = [
     "load_table",
     "simulate",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    for home, names in _HOMES.items():
+        if name in names:
+            return getattr(import_module("." + home, __name__), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

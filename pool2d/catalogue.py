@@ -2,30 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import re
-import sys
 from pathlib import Path
 
 from .assets import asset, assets
 from .errors import InputError, suggest
+from .folders import data_folder
 
 TABLES, CONDITIONS, DRILLS, POSITIONS = "tables", "conditions", "drills", "positions"
 _WHAT = {TABLES: "table", CONDITIONS: "conditions", DRILLS: "drill", POSITIONS: "position"}
 # Names that Windows keeps for devices, whatever their ending.
 _DEVICES = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
-
-
-def data_folder() -> Path:
-    """Where the user's own files are: $POOL2D_DATA, or the platform's usual place."""
-    if given := os.environ.get("POOL2D_DATA"):
-        return Path(given)
-    home = Path(os.path.expanduser("~"))
-    if sys.platform == "win32":
-        return Path(os.environ.get("APPDATA") or home / "AppData" / "Roaming") / "pool2d"
-    if sys.platform == "darwin":
-        return home / "Library" / "Application Support" / "pool2d"
-    return Path(os.environ.get("XDG_DATA_HOME") or home / ".local" / "share") / "pool2d"
 
 
 def shipped(folder: str) -> list[str]:

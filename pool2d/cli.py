@@ -8,16 +8,17 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from . import __version__
+from . import __version__, catalogue
 from .errors import BudgetError, InputError
 from .knobs import Knob, apply
-from .physics.rollout import Rollout
-from .position import read, read_shot
-from .preset import load_table, presets
-from .scenario import Scenario, load_scenario, scenario_of
-from .table import Knobs
+
+# Tables and physics are read by the commands themselves: the window opens first.
+if TYPE_CHECKING:
+    from .physics.rollout import Rollout
+    from .scenario import Scenario
+    from .table import Table
 
 _EVENTS = Knob(0, 1, 1e9, "events", "")
 # Points of all paths together that `--sample` writes.
@@ -52,9 +53,13 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _play(arguments: argparse.Namespace) -> int:
-    from .ui.app import play
+    from .ui.start import play
 
-    table = load_table(arguments.table, _overrides(arguments.set), _conditions(arguments))
+    def table() -> Table:
+        from .preset import load_table
+
+        return load_table(arguments.table, _overrides(arguments.set), _conditions(arguments))
+
     return play(table, seed=arguments.seed, frames=arguments.frames)
 
 
@@ -76,6 +81,9 @@ def _simulate(arguments: argparse.Namespace) -> int:
 
 def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iterator[tuple[str, Scenario]]:
     """What is to be simulated: the files, or what `--position` and `--shot` say; each with its name."""
+    from .position import read, read_shot
+    from .scenario import load_scenario, scenario_of
+
     conditions = _conditions(arguments)
     shot = None if arguments.shot is None else read_shot(arguments.shot, "--shot")
     if arguments.position is None:
@@ -92,6 +100,7 @@ def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iter
 
 
 def _render(arguments: argparse.Namespace) -> int:
+    from .scenario import load_scenario
     from .ui.render import render
 
     scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
@@ -146,7 +155,8 @@ def _parser() -> argparse.ArgumentParser:
         return sub
 
     play = command("play", _play, "Open a window and play (also without a command).")
-    play.add_argument("--table", default="pool-9ft", help=f"a preset ({', '.join(presets())}) or a .toml file")
+    known = ", ".join([*catalogue.shipped(catalogue.TABLES), *catalogue.own(catalogue.TABLES)])
+    play.add_argument("--table", default="pool-9ft", help=f"a preset ({known}) or a .toml file")
     play.add_argument("--seed", type=int, default=None, help="the first rack's seed; without it, a new one each time")
     play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
 
@@ -192,6 +202,8 @@ class _Parser(argparse.ArgumentParser):
 
 def _overrides(settings: list[str]) -> dict[str, Any]:
     """`--set NAME=VALUE` as knobs and values; raises InputError."""
+    from .table import Knobs
+
     overrides: dict[str, Any] = {}
     for setting in settings:
         name, sign, text = setting.partition("=")

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import json
-import math
 import os
 import re
 import stat
-import tempfile
 import tomllib
 from collections.abc import Mapping
+from datetime import date, time
 from pathlib import Path
 from typing import Any
 
@@ -82,6 +81,9 @@ def write_text(path: Path, text: str, new: bool = False) -> None:
 
 def write_bytes(path: Path, content: bytes, new: bool = False) -> None:
     """Write a file whole or not at all, as `write_text`."""
+    # Slow to read, and of no use before the window is open.
+    import tempfile
+
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         # The ending keeps a half-written file from being taken for a preset.
@@ -139,8 +141,10 @@ def _value(value: Any) -> str:
         return str(value).lower()
     if isinstance(value, str):
         return to_text(value)
+    if isinstance(value, (date, time)):
+        return value.isoformat()
     assert isinstance(value, (int, float))
-    assert math.isfinite(value)
+    # TOML writes inf and nan as Python does.
     return repr(value)
 
 

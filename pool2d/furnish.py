@@ -10,9 +10,9 @@ from .errors import InputError, suggest
 from .knobs import Knob
 from .outline import RECTANGLE, Corner, Point
 from .physics.params import BallKnobs
-from .racks import Furniture, Look, Rack
+from .racks import Finish, Furniture, Look, Rack
 
-SECTIONS = ("marks", "balls", "sizes", "looks", "racks")
+SECTIONS = ("marks", "finish", "balls", "sizes", "looks", "racks")
 
 _PLACE = Knob(0.0, -10.0, 10.0, "m", "")
 _PART = Knob(0.0, 0.0, 1.0, "", "")
@@ -20,6 +20,7 @@ _GAP = Knob(0.0, 0.0, 0.01, "m", "")
 _COUNT = Knob(0.0, 0.0, 100.0, "", "")
 _MARKS = ("head_string", "d_radius", "sights", "sight_inset", "spots")
 _RACK = ("spot", "on", "rows", "balls", "gap", "placed", "cue")
+_FINISH = ("cloth", "wood")
 _LOOK = ("color", "stripe", "dots", "number")
 _CORNER = ("x", "y", "pocket", "name", "cushion")
 _MOST_CORNERS = 60
@@ -52,12 +53,18 @@ def furnish(data: Mapping[str, Any], length: float, width: float, source: str) -
         sights=int(_number(_COUNT, marks.get("sights", 0), source, "marks.sights")),
         sight_inset=_number(_PLACE, marks.get("sight_inset", 0.0), source, "marks.sight_inset"),
         spots=spots,
+        finish=_finish(data, source),
         cue=cue,
         groups=groups,
         sizes=_each(data, "sizes", _size, known, groups, source),
         looks=_each(data, "looks", _look, known, groups, source),
         racks=racks or {"cue-ball": Rack(spots["head"])},
     )
+
+
+def _finish(data: Mapping[str, Any], source: str) -> Finish:
+    given = _section(data, "finish", _FINISH, source)
+    return Finish(**{name: _color(value, source, f"finish.{name}") for name, value in given.items()})
 
 
 def _balls(data: Mapping[str, Any], source: str) -> tuple[str, dict[str, tuple[str, ...]]]:
@@ -108,9 +115,7 @@ def _size(data: Any, ball: str, source: str, key: str) -> tuple[float, float]:
 
 def _look(data: Any, ball: str, source: str, key: str) -> Look:
     data = _keys(data, _LOOK, source, key)
-    color = data.get("color")
-    if not isinstance(color, str) or not re.fullmatch(r"#[0-9a-fA-F]{6}", color):
-        raise InputError(source, f"{key}.color", color, 'allowed is a colour such as "#d02030"')
+    color = _color(data.get("color"), source, f"{key}.color")
     for name in ("stripe", "dots"):
         if not isinstance(data.get(name, False), bool):
             raise InputError(source, f"{key}.{name}", data[name], "allowed is true or false")
@@ -231,6 +236,12 @@ def _point(value: Any, source: str, key: str) -> Point:
     if not isinstance(value, list) or len(value) != 2:
         raise InputError(source, key, value, "allowed is [x, y] in m")
     return _number(_PLACE, value[0], source, key), _number(_PLACE, value[1], source, key)
+
+
+def _color(value: Any, source: str, key: str) -> str:
+    if not isinstance(value, str) or not re.fullmatch(r"#[0-9a-fA-F]{6}", value):
+        raise InputError(source, key, value, 'allowed is a colour such as "#d02030"')
+    return value
 
 
 def _number(knob: Knob, value: Any, source: str, key: str) -> float:

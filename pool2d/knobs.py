@@ -19,7 +19,11 @@ Group = TypeVar("Group")
 
 @dataclass(frozen=True, slots=True)
 class Knob:
-    """A parameter's default, range (or choices), unit and one line of text; `label` is what a slider is called."""
+    """A parameter's default, range (or choices), unit and one line of text; `label` is what a slider is called.
+
+    The default tells the kind: a number, true or false, one of the choices, or where there are none, a text of
+    up to `hi` characters.
+    """
 
     default: float | str
     lo: float
@@ -33,6 +37,10 @@ class Knob:
         """What a value may be, in words."""
         if self.choices:
             return "one of " + ", ".join(self.choices)
+        if isinstance(self.default, bool):
+            return "true or false"
+        if isinstance(self.default, str):
+            return f"a text of up to {self.hi:g} characters"
         unit = f" {self.unit}" if self.unit else ""
         return f"a number from {self.lo:g} to {self.hi:g}{unit}"
 
@@ -43,6 +51,12 @@ class Knob:
         """
         if self.choices:
             if isinstance(value, str) and value in self.choices:
+                return value
+        elif isinstance(self.default, bool):
+            if isinstance(value, bool):
+                return value
+        elif isinstance(self.default, str):
+            if isinstance(value, str) and value.isprintable() and len(value) <= self.hi:
                 return value
         elif isinstance(value, (int, float)) and not isinstance(value, bool):
             number = float(value) if abs(value) < 1e300 else math.inf
@@ -59,6 +73,16 @@ def knob(default: float, lo: float, hi: float, unit: str, doc: str, label: str =
 def choice(default: str, choices: tuple[str, ...], doc: str, label: str = "") -> Any:
     """A name out of a few, as a dataclass field."""
     return field(default=default, metadata={_KNOB: Knob(default, 0.0, 0.0, "", doc, choices, label)})
+
+
+def flag(default: bool, doc: str, label: str = "") -> Any:
+    """True or false, as a dataclass field."""
+    return field(default=default, metadata={_KNOB: Knob(default, 0.0, 1.0, "", doc, label=label)})
+
+
+def words(default: str, longest: int, doc: str, label: str = "") -> Any:
+    """A line of text, as a dataclass field."""
+    return field(default=default, metadata={_KNOB: Knob(default, 0.0, longest, "", doc, label=label)})
 
 
 def walk(group: object, prefix: str = "") -> Iterator[tuple[str, Knob, float | str]]:

@@ -40,8 +40,16 @@ class Look:
 
 
 @dataclass(frozen=True, slots=True)
+class Finish:
+    """What a table is made of to look at: the colours of its cloth and its wood, as "#rrggbb"."""
+
+    cloth: str = "#1f8d7a"
+    wood: str = "#8a4a26"
+
+
+@dataclass(frozen=True, slots=True)
 class Furniture:
-    """What a preset says beside its knobs: outline, marks, balls and racks.
+    """What a preset says beside its knobs: outline, marks, finish, balls and racks.
 
     `outline` is in parts of the table's length and width; `head_string` and `d_radius` in m. Of balls
     that are unlike the others, `sizes` gives radius and mass, in m and kg, and `looks` the look.
@@ -53,6 +61,7 @@ class Furniture:
     sights: int = 0
     sight_inset: float = 0.0
     spots: Mapping[str, Point] = field(default_factory=dict)
+    finish: Finish = Finish()
     cue: str = "cue"
     groups: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     sizes: Mapping[str, tuple[float, float]] = field(default_factory=dict)

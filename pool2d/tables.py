@@ -10,6 +10,7 @@ from typing import Any
 from . import catalogue
 from .errors import InputError
 from .files import to_text, write_text
+from .folders import data_folder
 from .knobs import Knob, walk
 from .preset import condition_title, conditions, load_table, preset_path, presets, read_preset
 from .table import Knobs, Table
@@ -26,7 +27,7 @@ def tell_all() -> int:
                 print(f"  {name:<20} {title(name)}{mark}")
             except InputError as error:
                 print(f"  {name:<20} {error}{mark}")
-    print(f"Your own are kept in {catalogue.data_folder()}")
+    print(f"Your own are kept in {data_folder()}")
     return 0
 
 
@@ -84,7 +85,7 @@ def _start(title: str, base: str, table: Table) -> str:
         base = Path(base).absolute().as_posix()
     lines = [
         "# A table of your own. What is not said here is as in its base: uncomment a line to change it.",
-        "# Outline, marks, balls and racks may be given too; the shipped presets show how.",
+        "# Outline, marks, finish, balls and racks may be given too; the shipped presets show how.",
         "",
         f"name = {to_text(title)}",
         f"base = {to_text(base)}",

@@ -10,8 +10,9 @@ from hypothesis import settings
 
 import pool2d
 
-# The presets of whoever runs the tests are none of theirs.
-os.environ["POOL2D_DATA"] = tempfile.mkdtemp(prefix="pool2d-")
+# The presets, settings and pictures of whoever runs the tests are none of theirs.
+for folder in ("DATA", "CONFIG", "CACHE", "PICTURES"):
+    os.environ[f"POOL2D_{folder}"] = tempfile.mkdtemp(prefix="pool2d-")
 
 # New examples on every run at a desk, the same ones every time on a build machine.
 settings.register_profile("pool2d", deadline=None, print_blob=True, derandomize="CI" in os.environ)

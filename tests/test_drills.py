@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pool2d import Ball, InputError, Layout, Shot, simulate
-from pool2d.catalogue import data_folder
+from pool2d.folders import data_folder
 from pool2d.game.drill_file import best, drills, keep, load
 from pool2d.game.drills import Drill, Rest, Run, Standing, begin, faults, judge, start
 from pool2d.game.report import Report

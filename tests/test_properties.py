@@ -57,7 +57,7 @@ def test_balls_that_meet_keep_their_momentum(play: Play, table: Table) -> None:
         return
     layout, shot = play
     for event in simulate(table, layout, shot).events:
-        if event.kind in ("ball_ball", "cluster"):
+        if event.pairs and not event.rails:
             # At the most, two balls of 0.3 kg feel the cloth's friction of the next moment.
             pressed = 2.0 * 0.3 * table.knobs.cloth.mu_slide * table.knobs.gravity * MOMENT
             slack = 1e-12 if nearing(event) > PRESSED else pressed

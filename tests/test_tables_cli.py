@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 
 from pool2d import InputError, load_table
-from pool2d.catalogue import data_folder
 from pool2d.cli import main
+from pool2d.folders import data_folder
 from pool2d.knobs import walk
 from pool2d.preset import conditions, presets, save_preset
 from pool2d.table import Knobs

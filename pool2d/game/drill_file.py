@@ -35,6 +35,7 @@ from typing import Any
 from .. import catalogue
 from ..errors import InputError, suggest
 from ..files import read_bytes, read_toml, write_text
+from ..folders import data_folder
 from ..position import read, read_shot
 from ..scenario import scenario_of
 from .drills import Drill, Rest, Step
@@ -153,7 +154,7 @@ def keep(drill: str, result: int) -> bool:
 
 
 def _results_path() -> Path:
-    return catalogue.data_folder() / catalogue.DRILLS / _BEST
+    return data_folder() / catalogue.DRILLS / _BEST
 
 
 def _results() -> dict[str, Any]:

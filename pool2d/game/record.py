@@ -18,9 +18,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from .._version import __version__
-from ..catalogue import data_folder
 from ..errors import BudgetError, InputError
 from ..files import read_bytes
+from ..folders import data_folder
 from ..physics.rollout import Rollout
 from ..preset import load_table
 from ..table import Table

@@ -17,6 +17,7 @@ from ..physics.motion import Motion
 from ..physics.rollout import Event, Rollout
 from ..physics.values import Ball, Layout
 from ..table import Table
+from .corners import corner_of, lines
 
 # Balls and cushions no further apart than this touch, as far as a referee can tell, m.
 FROZEN = 2e-5
@@ -72,8 +73,9 @@ class Report:
     `stroke` names what was wrong with the stroke itself: "double-hit", "push", "miscue".
     `kitchen`: the cue ball met its first ball behind the head string without having crossed it; `stayed`: it
     neither crossed the head string nor met a ball beyond it. `crossed` are the balls that went over the
-    head string, and `passed` those that went over the middle of the table's length, either way.
-    `start` is the layout before the shot.
+    head string, and `passed` those that went over the middle of the table's length, either way. `jammed` are the
+    cushions that the cue ball lay on and was shot into. On a table without pockets `strayed` are the balls that
+    stood in a corner (`corner_of`) and left it, if only for a while. `start` is the layout before the shot.
     """
 
     contacts: tuple[Contact, ...] = ()
@@ -88,6 +90,8 @@ class Report:
     stayed: bool = False
     crossed: tuple[str, ...] = ()
     passed: tuple[str, ...] = ()
+    jammed: tuple[str, ...] = ()
+    strayed: tuple[str, ...] = ()
     start: Layout = field(default_factory=Layout)
 
     @property
@@ -108,7 +112,7 @@ class Report:
     @property
     def scratch(self) -> bool:
         """Whether the cue ball fell into a pocket."""
-        return Contact(POCKET, self.cue) in (c._replace(other="") for c in self.contacts)
+        return any(c.kind == POCKET and c.ball == self.cue for c in self.contacts)
 
     @property
     def cue_off(self) -> bool:
@@ -205,6 +209,8 @@ class _Reader:
             stayed=self.stayed(),
             crossed=self.over(self.line),
             passed=self.over(0.5 * self.table.knobs.table.length),
+            jammed=tuple(self.jammed()),
+            strayed=() if self.table.geometry.pockets else tuple(self.strayed()),
             start=self.start,
         )
 
@@ -212,7 +218,7 @@ class _Reader:
         """What an event says of who met what."""
         for a, b in event.pairs:
             yield Contact(BALL, b, a) if b == self.cue else Contact(BALL, a, b)
-        for ball, cushion in rails(event):
+        for ball, cushion in event.rails:
             if self.arrives(ball, cushion, event.t):
                 yield Contact(RAIL, ball, cushion)
         if event.kind == "ball_pocket":
@@ -281,16 +287,28 @@ class _Reader:
         met = [(event, pair) for event in self.rollout.events for pair in event.pairs if self.cue in pair]
         return all(event.before[ball].x < self.line for event, pair in met for ball in pair)
 
+    def jammed(self) -> Iterator[str]:
+        """The cushions that the cue ball lay on and was shot into."""
+        for event in self.rollout.events:
+            if event.t <= TIP_TIME:
+                yield from (
+                    rail for ball, rail in event.rails if (ball, rail) in self.frozen_at_start and ball == self.cue
+                )
+
+    def strayed(self) -> Iterator[str]:
+        """The object balls that stood in a corner and left it."""
+        for ball in self.start.on_table():
+            corner = corner_of(self.table, ball.x, ball.y)
+            if ball.id != self.cue and corner:
+                u, v, limit = lines(self.table)[corner]
+                if _span(self.rollout.tracks[ball.id], self.rollout.duration, u, v)[1] > limit:
+                    yield ball.id
+
     def over(self, line: float | None) -> tuple[str, ...]:
         """The object balls whose centre goes over a line across the table."""
         if line is None:
             return ()
         return tuple(ball for ball, (low, high) in self.spans.items() if ball != self.cue and low < line < high)
-
-
-def rails(event: Event) -> tuple[tuple[str, str], ...]:
-    """The balls that met a cushion in an event, and which."""
-    return ((event.balls[0], event.where or ""),) if event.kind == "ball_cushion" else ()
 
 
 def _is_rail(element: Any, name: str) -> bool:
@@ -305,12 +323,16 @@ def _pieces(track: list[Motion], start: float, end: float) -> Iterator[tuple[Mot
             yield motion, max(motion.t0, start), min(until, end)
 
 
-def _span(track: list[Motion], end: float) -> tuple[float, float]:
-    """The least and greatest x of a ball up to a time."""
-    xs = []
+def _span(track: list[Motion], end: float, u: float = 1.0, v: float = 0.0) -> tuple[float, float]:
+    """The least and greatest ux + vy of a ball up to a time."""
+    found = []
     for motion, a, b in _pieces(track, 0.0, end):
-        turn = motion.t0 - 0.5 * motion.vx / motion.hx if motion.hx else a
-        for t in (a, min(max(turn, a), b), b):
-            s = t - motion.t0
-            xs.append(motion.x + (motion.vx + motion.hx * s) * s)
-    return min(xs, default=0.0), max(xs, default=0.0)
+        place, speed, bend = (u * along + v * across for along, across in _xy(motion))
+        turn = motion.t0 - 0.5 * speed / bend if bend else a
+        found += [place + (speed + bend * s) * s for s in (t - motion.t0 for t in (a, min(max(turn, a), b), b))]
+    return min(found, default=0.0), max(found, default=0.0)
+
+
+def _xy(motion: Motion) -> tuple[tuple[float, float], ...]:
+    """Place, speed and half the acceleration of a motion where it starts."""
+    return (motion.x, motion.y), (motion.vx, motion.vy), (motion.hx, motion.hy)

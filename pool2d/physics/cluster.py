@@ -1,79 +1,47 @@
-"""Many balls touching at once: what happens in the millisecond in which a rack opens.
+"""Many touching at once: what happens in the milliseconds in which a rack opens or a ball is squeezed.
 
-Where a struck ball touches another, or reaches it before it has parted from the one that struck it,
-no order of two-ball collisions gives the right answer. So the contacts are integrated together as
-what they are: springs after Hertz, F = K d^1.5 for a depth d, with a loss K-proportional eta d^0.25 d'
-that gives a lone pair the wanted restitution (Tsuji et al. 1992), never pulling, and with friction at
-the surface. The balls hardly move in that time, so their places and normals are kept and only the
-depths run; a contact begins where the gap between two balls has been used up. What comes out depends
-neither on the stiffness nor on the speed while all gaps are zero (Hertz contacts scale), nor on the
-order of the balls, and a symmetric rack stays symmetric.
+Where a struck ball touches another, or a cushion, or reaches it before it has parted from what struck
+it, no order of single contacts gives the right answer. So the contacts are integrated together as what
+they are, springs that never pull, with friction at the surface: balls after Hertz, F = K d^1.5 for a
+depth d, with a loss K-proportional eta d^0.25 d' that gives a lone pair the wanted restitution (Tsuji et
+al. 1992); cushions, much softer, as `springs.NoseSpring` has it. The balls hardly move in that time, so
+their places and normals are kept and only the depths run; a contact begins where the gap has been used
+up. What comes out depends neither on the stiffness nor on the speed while all gaps are zero (Hertz
+contacts scale), nor on the order of the balls, and a symmetric rack stays symmetric.
 """
 
 from __future__ import annotations
 
 import math
-from functools import cache
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import NamedTuple
 
-from .balls import FRICTION, Friction, Vector, normal, push, slip
+from .detect import Element
 from .gentle import rebound
+from .motion import Body
+from .params import Physics
+from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, duration, stay
 
-if TYPE_CHECKING:
-    from .motion import Body
-    from .params import Physics
-
-# Stiffness of two pool balls, N/m^1.5, and the radius it was worked out for (Marlow; Alciatore TP B.29).
-STIFFNESS, RADIUS = 8.06e8, 0.028575
-# Steps in the duration of one impact at the speed of approach.
-STEPS = 60
-# An impact is over long before this many durations of it; a guard, not a limit that is met.
+# An impact of balls is over long before this many times the duration of one; a guard, not a limit that is met.
 _LONGEST = 400
+# A ball that its own spin presses into a cushion could stay there as long as it spins. After this many times
+# the duration of a rebound that is no impact any more, and the cloth's friction has to be reckoned with.
+_HELD = 8
 
 
-class Contact:
-    """Two balls that touch or nearly do. `depth` is negative while there is a gap; `met` once it closed.
+class Group(NamedTuple):
+    """What touches or nearly does: pairs of balls, and balls with elements of the table, with their gaps."""
 
-    `slip` is the fastest so far: it sets the friction of the whole impact, as it does for two balls alone.
-    """
-
-    __slots__ = ("a", "b", "n", "depth", "met", "slip", "stiffness", "loss")
-
-    def __init__(self, a: Body, b: Body, gap: float, loss: float) -> None:
-        self.a = a
-        self.b = b
-        self.n = normal(a, b)
-        self.depth = -gap
-        self.met = False
-        self.slip = 0.0
-        # Springs of Hertz: K goes with the root of the effective radius.
-        self.stiffness = stiffness(a, b)
-        self.loss = loss * math.sqrt(self.stiffness * a.mass * b.mass / (a.mass + b.mass))
+    pairs: list[tuple[Body, Body, float]]
+    noses: list[tuple[Body, Element, float]]
 
 
-def stiffness(a: Body, b: Body) -> float:
-    """K of the contact of two balls of the same stuff, N/m^1.5."""
-    return STIFFNESS * math.sqrt(2.0 * a.radius * b.radius / ((a.radius + b.radius) * RADIUS))
-
-
-def depth(a: Body, b: Body, speed: float) -> float:
-    """How deep two balls press into each other that meet at `speed`: (5 m v^2 / (4 K))^0.4."""
-    mass = a.mass * b.mass / (a.mass + b.mass)
-    return math.pow(1.25 * mass * speed * speed / stiffness(a, b), 0.4)
-
-
-def duration(a: Body, b: Body, speed: float) -> float:
-    """How long an impact at `speed` lasts, s: 3.218 (m^2 / (K^2 v))^0.2."""
-    mass = a.mass * b.mass / (a.mass + b.mass)
-    return 3.218 * math.pow(mass * mass / (stiffness(a, b) ** 2 * speed), 0.2)
-
-
-def gather(a: Body, b: Body, bodies: list[Body], room: float) -> list[tuple[Body, Body, float]]:
-    """The pairs of balls within `room` of each other that a and b are linked to, with their gaps."""
+def linked(first: Sequence[Body], bodies: list[Body], room: float) -> list[tuple[Body, Body, float]]:
+    """The pairs of balls within `room` of each other that the first ones are linked to, with their gaps."""
     found: list[tuple[Body, Body, float]] = []
-    linked = [a, b]
-    seen = {a.index, b.index}
-    for ball in linked:
+    balls = list(first)
+    seen = {ball.index for ball in first}
+    for ball in balls:
         for other in bodies:
             touch = 2.0 * math.sqrt(ball.radius * other.radius)
             reach = touch + room
@@ -82,73 +50,70 @@ def gather(a: Body, b: Body, bodies: list[Body], room: float) -> list[tuple[Body
                 continue
             if other.index not in seen:
                 seen.add(other.index)
-                linked.append(other)
+                balls.append(other)
             if ball.index < other.index:
                 found.append((ball, other, max(0.0, math.hypot(dx, dy) - touch)))
     found.sort(key=lambda pair: (pair[0].index, pair[1].index))
     return found
 
 
-def solve(pairs: list[tuple[Body, Body, float]], speed: float, physics: Physics) -> list[Contact]:
-    """Let the impact of a cluster run its course; the contacts that took part, the balls changed.
+def facing(ball: Body, elements: Sequence[Element], reach: float, room: float) -> list[tuple[Element, float]]:
+    """The elements a ball touches or has within `room`, with their gaps; of one cushion no more than one.
+
+    The nearest point of an element may lie inside another one, as where a jaw goes over into its nose.
+    """
+    near = [(element, gap) for element in elements if (gap := element.gap(ball.x, ball.y, reach)) <= room]
+    found = []
+    for element, gap in near:
+        point = element.point(ball.x, ball.y)
+        if point and not any(other.covers(*point) for other, _ in near if other is not element):
+            found.append((element, max(0.0, gap)))
+    return found
+
+
+def solve(group: Group, speed: float, physics: Physics) -> tuple[list[BallSpring], list[NoseSpring]]:
+    """Let the impact of a group run its course; the contacts that took part, the balls changed.
 
     `speed` is that of the approach that set it off, m/s.
     """
     # As two balls alone part at that speed; in thousandths, of which none has to be worked out twice.
     loss = damping(round(rebound(speed, physics.ball.restitution) / speed, 3))
-    contacts = [Contact(a, b, gap, loss) for a, b, gap in pairs]
-    before = {ball.index: ball.energy() for pair in pairs for ball in pair[:2]}
-    friction = FRICTION[physics.ball.law]
-    time = max(duration(a, b, speed) for a, b, _ in pairs)
-    for step in range(_LONGEST * STEPS):
-        if not _step(contacts, time / STEPS, friction, physics) and step > 1:
+    pairs = [BallSpring(a, b, gap, loss, physics) for a, b, gap in group.pairs]
+    noses = [
+        NoseSpring(ball, element, gap, sum(ball is other for other, _, _ in group.noses), physics)
+        for ball, element, gap in group.noses
+    ]
+    springs: list[Spring] = [*pairs, *noses]
+    before = {ball.index: ball.energy() for spring in springs for ball in spring.balls}
+    fine = max((duration(a, b, speed) for a, b, _ in group.pairs), default=math.inf) / STEPS
+    coarse = max((stay(ball) for ball, _, _ in group.noses), default=0.0) / STEPS or fine
+    time, end = 0.0, STEPS * (_HELD * coarse if noses else _LONGEST * fine)
+    while time < end:
+        dt = min([spring.pace(fine, coarse) for spring in springs]) if noses else fine
+        for spring in springs:
+            spring.press(dt)
+        for spring in springs:
+            spring.act()
+        if time > dt and not any(spring.depth > 0.0 for spring in springs):
             break
-    met = [contact for contact in contacts if contact.met]
-    _settle(list({ball.index: ball for contact in met for ball in (contact.a, contact.b)}.values()), before)
-    return met
+        time += dt
+    met = [spring for spring in springs if spring.met]
+    balls = {ball.index: ball for spring in met for ball in spring.balls}
+    _settle(list(balls.values()), before, any(nose.met for nose in noses))
+    return [pair for pair in pairs if pair.met], [nose for nose in noses if nose.met]
 
 
-def _step(contacts: list[Contact], dt: float, friction: Friction, physics: Physics) -> bool:
-    """One leapfrog step of all contacts at once; whether any is closed."""
-    impulses: list[tuple[Contact, float, float, float, float]] = []
-    for contact in contacts:
-        a, b, n = contact.a, contact.b, contact.n
-        closing = (a.vx - b.vx) * n[0] + (a.vy - b.vy) * n[1]
-        contact.depth = d = contact.depth + closing * dt
-        if d <= 0.0:
-            continue
-        contact.met = True
-        root = math.sqrt(d)
-        along = dt * (contact.stiffness * d * root + contact.loss * math.sqrt(root) * closing)
-        if along > 0.0:
-            impulses.append((contact, along, *_rub(contact, closing, along, friction, physics)))
-    # All impulses come from the same moment, so their order is of no consequence.
-    for contact, along, fx, fy, fz in impulses:
-        push(contact.a, contact.b, contact.n, along, fx, fy, fz)
-    return any(contact.depth > 0.0 for contact in contacts)
-
-
-def _rub(contact: Contact, closing: float, along: float, friction: Friction, physics: Physics) -> Vector:
-    """The friction of one step of a contact: Coulomb's, or what ends the slip."""
-    a, b = contact.a, contact.b
-    sx, sy, sz = slip(a, b, contact.n, closing)
-    size = math.sqrt(sx * sx + sy * sy + sz * sz)
-    if size == 0.0:
-        return 0.0, 0.0, 0.0
-    contact.slip = max(contact.slip, size)
-    limit = friction(contact.slip, physics) * along
-    rub = -min(limit / size, 1.0 / (3.5 * (1.0 / a.mass + 1.0 / b.mass)))
-    return rub * sx, rub * sy, rub * sz
-
-
-def _settle(balls: list[Body], before: dict[int, float]) -> None:
+def _settle(balls: list[Body], before: dict[int, float], anchored: bool) -> None:
     """Take back what the steps' rounding added to the energy, if anything, keeping the momentum.
 
-    Of an elastic impact the steps miss some 1e-4 of the energy, to either side.
+    Of an elastic impact the steps miss some 1e-4 of the energy, to either side. Balls that are `anchored`
+    by a cushion have no momentum to keep.
     """
     surplus = sum(ball.energy() - before[ball.index] for ball in balls)
     mass = sum(ball.mass for ball in balls)
     vx, vy = sum(ball.mass * ball.vx for ball in balls) / mass, sum(ball.mass * ball.vy for ball in balls) / mass
+    if anchored:
+        vx = vy = 0.0
     # The energy of travel about the common centre; it is the springs that the steps round.
     inner = sum(0.5 * ball.mass * ((ball.vx - vx) ** 2 + (ball.vy - vy) ** 2) for ball in balls)
     if surplus <= 0.0 or inner <= 0.0:
@@ -156,23 +121,3 @@ def _settle(balls: list[Body], before: dict[int, float]) -> None:
     part = math.sqrt(max(0.0, 1.0 - surplus / inner)) * (1.0 - 1e-15)
     for ball in balls:
         ball.vx, ball.vy = vx + part * (ball.vx - vx), vy + part * (ball.vy - vy)
-
-
-@cache
-def damping(restitution: float) -> float:
-    """The loss, in units of sqrt(m K), that gives a lone pair this restitution, or 0.01 for less: by halving."""
-    lo, hi = 0.0, 10.0
-    for _ in range(40):
-        middle = 0.5 * (lo + hi)
-        lo, hi = (middle, hi) if _restitution(middle) > restitution else (lo, middle)
-    return 0.5 * (lo + hi)
-
-
-def _restitution(loss: float) -> float:
-    """Of a lone pair with that loss, in units where mass, stiffness and speed are one."""
-    depth, speed, dt = 0.0, 1.0, 3.218 / STEPS
-    while True:
-        depth += speed * dt
-        if depth <= 0.0:
-            return -speed
-        speed -= dt * max(0.0, depth**1.5 + loss * depth**0.25 * speed)

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
 
 from .balls import BALL_LAWS
-from .cluster import depth, gather, solve
+from .cluster import Group, facing, linked, solve
 from .cushions import CUSHION_LAWS
+from .detect import Element
 from .motion import Body, start
 from .params import Physics
+from .springs import depth, yielding
 
 # Bodies that meet more slowly than this, m/s, are being pressed together by the cloth's friction.
 # They then feel the friction of the next moment, s, at once, so that they part with a speed and the
@@ -16,44 +20,96 @@ from .params import Physics
 PRESSED, MOMENT = 1e-4, 2e-3
 
 
+class Surroundings(Protocol):
+    """What contacts need of a table."""
+
+    @property
+    def physics(self) -> Physics: ...
+
+    @property
+    def elements(self) -> Sequence[Element]: ...
+
+    def near(self, left: float, bottom: float, right: float, top: float) -> list[int]:
+        """The indices of the elements that a box, in m, may touch: the broad phase."""
+        ...
+
+
+class Met(NamedTuple):
+    """Which balls touched each other, and which touched which cushions, by name; what set it off first."""
+
+    pairs: tuple[tuple[Body, Body], ...] = ()
+    rails: tuple[tuple[Body, str], ...] = ()
+
+
 class Contacts:
-    """How things that meet on one table part again."""
+    """How things that meet on one table part again.
 
-    def __init__(self, physics: Physics) -> None:
-        self.physics = physics
-        self.ball_law = BALL_LAWS[physics.ball.law]
-        self.cushion_law = CUSHION_LAWS[physics.cushion.law]
+    `reach` gives each ball's distance, in plan, from a nose that it touches.
+    """
 
-    def cushion(self, ball: Body, nx: float, ny: float) -> None:
-        """A ball meets a cushion that lies along (nx, ny) from it.
+    def __init__(self, table: Surroundings, reach: Sequence[float]) -> None:
+        self.table = table
+        self.physics = table.physics
+        self.reach = reach
+        self.ball_law = BALL_LAWS[self.physics.ball.law]
+        self.cushion_law = CUSHION_LAWS[self.physics.cushion.law]
 
-        A cushion gives way for some ms, ten times as long as two balls touch. So a ball that lies on
-        a cushion first takes a blow from another ball as if it were free, and then meets the cushion.
-        """
+    def cushion(self, ball: Body, element: Element, present: list[Body]) -> Met:
+        """A ball meets a cushion among the balls `present`."""
+        nx, ny = element.normal(ball.x, ball.y)
         if ball.vx * nx + ball.vy * ny < PRESSED:
             self._hasten(ball)
+        speed = ball.vx * nx + ball.vy * ny
+        if speed > 0.0:
+            # A cushion gives way by far more than a ball: others of its kind are reached from further off.
+            group = self._group([ball], present, depth(ball, ball, speed), yielding(ball, speed))
+            met = self._together(group, speed, present)
+            if met is not None:
+                rails = sorted(met.rails, key=lambda rail: rail != (ball, element.name))
+                return Met(met.pairs, tuple(rails))
         self.cushion_law(ball, nx, ny, self.physics)
+        return Met(rails=((ball, element.name),))
 
-    def balls(self, a: Body, b: Body, present: list[Body]) -> list[tuple[Body, Body]]:
-        """Two balls meet among those `present`; the pairs that took part, this one first.
-
-        Where others are so near that they are reached while the impact lasts, it is a cluster.
-        """
+    def balls(self, a: Body, b: Body, present: list[Body]) -> Met:
+        """Two balls meet among those `present`."""
         if _approach(a, b) < PRESSED:
             self._hasten(a)
             self._hasten(b)
         speed = _approach(a, b)
         if speed > 0.0:
-            pairs = gather(a, b, present, depth(a, b, speed))
-            if len(pairs) > 1:
-                before = [(ball, ball.velocity()) for ball in present]
-                met = [(contact.a, contact.b) for contact in solve(pairs, speed, self.physics)]
-                if len(met) > 1:
-                    return [(a, b), *(pair for pair in met if pair != (a, b))]
-                for ball, velocity in before:
-                    ball.set_velocity(velocity)
+            room = depth(a, b, speed)
+            met = self._together(self._group([a, b], present, room, room), speed, present)
+            if met is not None:
+                pairs = sorted(met.pairs, key=lambda pair: pair != (a, b))
+                return Met(tuple(pairs), met.rails)
         self.ball_law(a, b, self.physics)
-        return [(a, b)]
+        return Met(((a, b),))
+
+    def _group(self, first: list[Body], present: list[Body], room: float, yielding: float) -> Group:
+        """What the first balls touch, or reach while the impact lasts: `room` away, or a cushion `yielding` away."""
+        pairs = linked(first, present, room)
+        balls = sorted({ball.index: ball for ball in (*first, *(ball for pair in pairs for ball in pair[:2]))}.items())
+        noses = []
+        for index, ball in balls:
+            reach = self.reach[index]
+            far = yielding if ball in first else room
+            span = reach + far
+            near = self.table.near(ball.x - span, ball.y - span, ball.x + span, ball.y + span)
+            cushions = [self.table.elements[i] for i in near if self.table.elements[i].kind == "ball_cushion"]
+            noses += [(ball, element, gap) for element, gap in facing(ball, cushions, reach, far)]
+        return Group(pairs, noses)
+
+    def _together(self, group: Group, speed: float, present: list[Body]) -> Met | None:
+        """Solve a group as one; None, and nothing changed, where only one contact is in it after all."""
+        if len(group.pairs) + len(group.noses) < 2:
+            return None
+        before = [(ball, ball.velocity()) for ball in present]
+        pairs, noses = solve(group, speed, self.physics)
+        if len(pairs) + len(noses) < 2:
+            for ball, velocity in before:
+                ball.set_velocity(velocity)
+            return None
+        return Met(tuple((pair.a, pair.b) for pair in pairs), tuple((nose.ball, nose.name) for nose in noses))
 
     def _hasten(self, ball: Body) -> None:
         """Give a ball the cloth's friction of the next moment at once."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from .gentle import rebound
 
@@ -19,6 +19,18 @@ if TYPE_CHECKING:
     from .params import Physics
 
 CushionLaw = Callable[["Body", float, float, "Physics"], None]
+State = tuple[float, float, float, float, float]
+
+
+class Nose(NamedTuple):
+    """What a ball feels at a nose: th, the friction of the rubber and that of the cloth under the ball, and e."""
+
+    sin: float
+    cos: float
+    rubber: float
+    cloth: float
+    restitution: float
+
 
 # Steps of the integration of `mathavan2010`, for each of compression and restitution. Against 2,000
 # steps the speeds after a rebound are off by 0.11 % of the speed before it at the most, 0.02 % on
@@ -49,8 +61,7 @@ def han2005(ball: Body, nx: float, ny: float, physics: Physics) -> None:
     approach = ball.vx * nx + ball.vy * ny
     if approach <= 0.0:
         return
-    sin = physics.cushion.nose_height / ball.radius - 1.0
-    cos = math.sqrt(1.0 - sin * sin)
+    sin, cos = _seen(ball.radius, physics)
     push = ball.mass * cos * (approach + rebound(approach, physics.cushion.restitution))
     _kick(ball, nx, ny, push, sin, cos, physics.cushion.friction)
 
@@ -90,64 +101,65 @@ def mathavan2010(ball: Body, nx: float, ny: float, physics: Physics) -> None:
     approach = ball.vx * nx + ball.vy * ny
     if approach <= 0.0:
         return
-    restitution = rebound(approach, physics.cushion.restitution) / approach
-    sin = physics.cushion.nose_height / ball.radius - 1.0
-    cos = math.sqrt(1.0 - sin * sin)
-    contact = (sin, cos, physics.cushion.friction, physics.cloth.mu_slide)
-    radius = ball.radius
-    state = (
-        ball.vx * ny - ball.vy * nx, approach,
-        radius * (ball.wx * ny - ball.wy * nx), radius * (ball.wx * nx + ball.wy * ny), radius * ball.wz,
-    )  # fmt: skip
+    nose = _pressing(ball.radius, physics)
+    restitution = rebound(approach, nose.restitution) / approach
+    cos = nose.cos
+    state = along_nose(ball, nx, ny)
     step = approach / (cos * STEPS)
     work = 0.0
     for _ in range(_ENOUGH * STEPS):
-        rate = _rate(state, contact, step)
-        last = state[1] + step * rate[1] <= 0.0
-        part = -state[1] / rate[1] if last else step
-        after = _moved(state, rate, part)
+        change = rate(state, nose, step)
+        last = state[1] + step * change[1] <= 0.0
+        part = -state[1] / change[1] if last else step
+        after = _moved(state, change, part)
         work += 0.5 * (state[1] + after[1]) * cos * part
         state = after
         if last:
             break
     work *= restitution * restitution
     for _ in range(_ENOUGH * STEPS):
-        rate = _rate(state, contact, step)
+        change = rate(state, nose, step)
         # Within a step the cushion gives back (-vY + |vY'| part / 2) cos part.
-        out, gain = -state[1], -rate[1]
+        out, gain = -state[1], -change[1]
         square = out * out + 2.0 * gain * work / cos
         reach = out + math.sqrt(square) if square > 0.0 else 0.0
         whole = 2.0 * work / cos / reach if reach > 0.0 else math.inf
         last = whole <= step
         part = whole if last else step
         work -= (out + 0.5 * gain * part) * cos * part
-        state = _moved(state, rate, part)
+        state = _moved(state, change, part)
         if last:
             break
     _give(ball, nx, ny, *state)
 
 
-_State = tuple[float, float, float, float, float]
-
-
-def _moved(state: _State, rate: _State, step: float) -> _State:
+def along_nose(ball: Body, nx: float, ny: float) -> State:
+    """(vX, vY, R wX, R wY, R wZ) of a ball, in the frame of a contact with (nx, ny) into the cushion."""
+    radius = ball.radius
     return (
-        state[0] + step * rate[0], state[1] + step * rate[1],
-        state[2] + step * rate[2], state[3] + step * rate[3], state[4] + step * rate[4],
+        ball.vx * ny - ball.vy * nx, ball.vx * nx + ball.vy * ny,
+        radius * (ball.wx * ny - ball.wy * nx), radius * (ball.wx * nx + ball.wy * ny), radius * ball.wz,
     )  # fmt: skip
 
 
-def _rate(state: _State, contact: tuple[float, float, float, float], step: float) -> _State:
+def _moved(state: State, change: State, step: float) -> State:
+    return (
+        state[0] + step * change[0], state[1] + step * change[1],
+        state[2] + step * change[2], state[3] + step * change[3], state[4] + step * change[4],
+    )  # fmt: skip
+
+
+def rate(state: State, nose: Nose, step: float) -> State:
     """What a unit of the nose's impulse, per mass, does to (vX, vY, R wX, R wY, R wZ) in a step."""
     vx, vy, qx, qy, qz = state
-    sin, cos, nose, cloth = contact
+    sin, cos, rubber, cloth, _ = nose
     sx, sy = vx + qy * sin - qz * cos, qx - vy * sin
     ux, uy = vx - qy, vy + qx
     across, along = 2.5 - sin, 1.0 - 2.5 * sin
     gx = gy = 0.0
     # The friction of each surface depends on the other's: one more round.
     for _ in range(2):
-        fx, fy = _friction(sx, sy, along * gx, sin * cos + across * gy, 2.5 + sin * sin, nose, step)
+        fx, fy = _friction(sx, sy, along * gx, sin * cos + across * gy, 2.5 + sin * sin, rubber, step)
         # The nose and its friction press the ball on the cloth, or lift it and leave the cloth nothing.
         weight = max(0.0, sin - fy * cos)
         gx, gy = _friction(ux, uy, along * fx, across * fy - cos, 3.5, cloth * weight, step)
@@ -174,4 +186,29 @@ def _friction(
     return -size * x, -size * y
 
 
+def _seen(radius: float, physics: Physics) -> tuple[float, float]:
+    """sin th and cos th of the angle at which a ball sees the nose."""
+    sin = physics.cushion.nose_height / radius - 1.0
+    return sin, math.sqrt(1.0 - sin * sin)
+
+
+def _level(radius: float, physics: Physics) -> Nose:
+    return Nose(0.0, 1.0, physics.cushion.friction, 0.0, physics.cushion.restitution)
+
+
+def _lifting(radius: float, physics: Physics) -> Nose:
+    """As the slate holds the ball down, what `han2005` loses upward or downward is a loss at the nose."""
+    sin, cos = _seen(radius, physics)
+    restitution = cos * cos * (1.0 + physics.cushion.restitution) - 1.0
+    return Nose(sin, cos, physics.cushion.friction, 0.0, max(0.0, restitution))
+
+
+def _pressing(radius: float, physics: Physics) -> Nose:
+    cushion = physics.cushion
+    return Nose(*_seen(radius, physics), cushion.friction, physics.cloth.mu_slide, cushion.restitution)
+
+
 CUSHION_LAWS: dict[str, CushionLaw] = {"impulse": impulse, "han2005": han2005, "mathavan2010": mathavan2010}
+# What each law makes of the nose where a ball is in it together with something else.
+NoseLaw = Callable[[float, "Physics"], Nose]
+NOSES: dict[str, NoseLaw] = {"impulse": _level, "han2005": _lifting, "mathavan2010": _pressing}

@@ -17,6 +17,8 @@ SKIN = 5e-10
 # A gap that is no more than rounding after a contact was solved, m, and such a speed, m/s.
 TOUCH = 1e-12
 NOISE = 1e-12
+# A point this near a surface, m, is on it.
+SURFACE = 1e-9
 
 
 class Element(Protocol):
@@ -41,6 +43,14 @@ class Element(Protocol):
 
     def gap(self, x: float, y: float, reach: float) -> float:
         """How far a ball at (x, y) is from this, m; negative where they overlap."""
+        ...
+
+    def point(self, x: float, y: float) -> tuple[float, float] | None:
+        """Where a ball at (x, y) touches this, or would; None where it has nothing across from the ball."""
+        ...
+
+    def covers(self, x: float, y: float) -> bool:
+        """Whether a point lies within or behind this, so that no ball can touch anything there."""
         ...
 
 
@@ -68,6 +78,14 @@ class Rail:
         behind = 0.0 < along < self.length and self.dx * py - self.dy * px < 0.0
         return (-beyond if behind else beyond) - reach
 
+    def point(self, x: float, y: float) -> tuple[float, float] | None:
+        along = (x - self.ax) * self.dx + (y - self.ay) * self.dy
+        return (self.ax + along * self.dx, self.ay + along * self.dy) if 0.0 <= along <= self.length else None
+
+    def covers(self, x: float, y: float) -> bool:
+        px, py = x - self.ax, y - self.ay
+        return 0.0 <= px * self.dx + py * self.dy <= self.length and self.dx * py - self.dy * px < SURFACE
+
 
 class Jaw:
     """A rounded end of a cushion: a circle of `radius` in plan."""
@@ -88,6 +106,13 @@ class Jaw:
     def gap(self, x: float, y: float, reach: float) -> float:
         return math.hypot(self.x - x, self.y - y) - self.radius - reach
 
+    def point(self, x: float, y: float) -> tuple[float, float] | None:
+        nx, ny = self.normal(x, y)
+        return self.x - nx * self.radius, self.y - ny * self.radius
+
+    def covers(self, x: float, y: float) -> bool:
+        return math.hypot(self.x - x, self.y - y) < self.radius - SURFACE
+
 
 class Pocket:
     """The rim over which a ball falls: it drops when its centre is above the rim."""
@@ -107,6 +132,12 @@ class Pocket:
 
     def gap(self, x: float, y: float, reach: float) -> float:
         return math.hypot(self.x - x, self.y - y) - self.radius
+
+    def point(self, x: float, y: float) -> tuple[float, float] | None:
+        return None
+
+    def covers(self, x: float, y: float) -> bool:
+        return False
 
 
 def time_ball_ball(a: Motion, b: Motion, now: float, end: float, touch: float) -> float:

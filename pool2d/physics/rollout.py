@@ -16,11 +16,12 @@ class Event:
     """Something that happened: a contact, or a change of phase.
 
     `t` in s; `kind` as in `simulate --json`; `balls` the ids it concerns; `where` names the cushion,
-    jaw or pocket ("miscue" for a tip that slipped); `before` and `after` give those balls' states.
-    `pairs` names the balls that touched each other, the pair that set it off first.
+    jaw or pocket ("miscue" for a tip that slipped), and all of them for a cluster; `before` and `after`
+    give those balls' states. `pairs` names the balls that touched each other, the pair that set it off
+    first; `rails` which ball touched which cushion.
     """
 
-    __slots__ = ("t", "kind", "balls", "where", "pairs", "_old", "_new")
+    __slots__ = ("t", "kind", "balls", "where", "pairs", "rails", "_old", "_new")
 
     def __init__(
         self,
@@ -30,12 +31,14 @@ class Event:
         old: list[Motion],
         new: list[Motion],
         pairs: tuple[tuple[str, str], ...] = (),
+        rails: tuple[tuple[str, str], ...] = (),
     ) -> None:
         self.t = t
         self.kind = kind
         self.balls = tuple(motion.id for motion in new)
         self.where = where
         self.pairs = pairs
+        self.rails = rails
         self._old = old
         self._new = new
 

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from heapq import heappop, heappush
 from typing import Any, Protocol
 
 from ..errors import BudgetError, InputError
-from .contact import Contacts
-from .detect import Element, time_ball_ball
+from .contact import Contacts, Met, Surroundings
+from .detect import time_ball_ball
 from .motion import Body, Motion, finish, pocketed, start
-from .params import Physics
 from .rollout import Event, Rollout
 from .strike import strike
 from .values import POCKETED, ROLLING, SLIDING, SPINNING, Ball, Layout, Shot
@@ -20,18 +18,8 @@ from .values import POCKETED, ROLLING, SLIDING, SPINNING, Ball, Layout, Shot
 BUDGET = 50_000
 
 
-class Field(Protocol):
+class Field(Surroundings, Protocol):
     """What the loop needs of a table."""
-
-    @property
-    def physics(self) -> Physics: ...
-
-    @property
-    def elements(self) -> Sequence[Element]: ...
-
-    def near(self, left: float, bottom: float, right: float, top: float) -> list[int]:
-        """The indices of the elements that a box, in m, may touch: the broad phase."""
-        ...
 
     def body_of(self, ball: Ball) -> tuple[float, float]:
         """Radius and mass of a ball, its own or the table's."""
@@ -79,7 +67,6 @@ class _World:
         self.table = table
         self.physics = table.physics
         self.elements = table.elements
-        self.contacts = Contacts(table.physics)
         self.now = 0.0
         self.events: list[Event] = []
         self.queue: list[tuple[float, int, int, int, int]] = []
@@ -87,6 +74,7 @@ class _World:
         balls = sorted(layout.on_table())
         self.bodies = [Body(ball, index, *table.body_of(ball)) for index, ball in enumerate(balls)]
         self.reach = [_reach(body.radius, table.physics.cushion.nose_height) for body in self.bodies]
+        self.contacts = Contacts(table, self.reach)
         self.touch = [[2.0 * math.sqrt(a.radius * b.radius) for b in self.bodies] for a in self.bodies]
         self.version = [0] * len(balls)
         self.motion = [start(body, 0.0, self.physics.cloth, self.physics.gravity) for body in self.bodies]
@@ -126,26 +114,27 @@ class _World:
             self.record(kind, None, [body], [motion])
             return
         self.motion[i].move(body, self.now)
-        if other >= 0:
-            self.meet(i, other)
-            return
-        element = self.elements[-2 - other]
-        if element.kind == "ball_pocket":
+        element = self.elements[-2 - other] if other < 0 else None
+        if element is not None and element.kind == "ball_pocket":
             self.record(element.kind, element.name, [body], [pocketed(body, self.now)])
             return
-        self.contacts.cushion(body, *element.normal(body.x, body.y))
-        self.record(element.kind, element.name, [body])
-
-    def meet(self, i: int, j: int) -> None:
-        """Two balls meet, and perhaps others with them."""
         present = [body for body in self.bodies if self.motion[body.index].phase != POCKETED]
-        for body in present:
-            if self.motion[body.index].t1 < math.inf:
-                self.motion[body.index].move(body, self.now)
-        pairs = self.contacts.balls(self.bodies[i], self.bodies[j], present)
-        bodies = sorted({body.index: body for pair in pairs for body in pair}.values(), key=lambda body: body.index)
-        kind = "ball_ball" if len(pairs) == 1 else "cluster"
-        self.record(kind, None, bodies, pairs=tuple((a.id, b.id) for a, b in pairs))
+        for one in present:
+            if self.motion[one.index].t1 < math.inf:
+                self.motion[one.index].move(one, self.now)
+        if element is None:
+            self.touched(self.contacts.balls(body, self.bodies[other], present))
+        else:
+            self.touched(self.contacts.cushion(body, element, present))
+
+    def touched(self, met: Met) -> None:
+        """Note a contact, or several that were one."""
+        bodies = {body.index: body for pair in met.pairs for body in pair} | {body.index: body for body, _ in met.rails}
+        kind = "cluster" if len(met.pairs) + len(met.rails) > 1 else "ball_ball" if met.pairs else "ball_cushion"
+        where = ", ".join(dict.fromkeys(name for _, name in met.rails)) or None
+        pairs = tuple((a.id, b.id) for a, b in met.pairs)
+        rails = tuple((body.id, name) for body, name in met.rails)
+        self.record(kind, where, [bodies[index] for index in sorted(bodies)], None, pairs, rails)
 
     def record(
         self,
@@ -154,11 +143,14 @@ class _World:
         bodies: list[Body],
         new: list[Motion] | None = None,
         pairs: tuple[tuple[str, str], ...] = (),
+        rails: tuple[tuple[str, str], ...] = (),
     ) -> None:
         """Note an event, and let its bodies go on from their present state."""
         if new is None:
             new = [start(body, self.now, self.physics.cloth, self.physics.gravity) for body in bodies]
-        self.events.append(Event(self.now, kind, where, [self.motion[body.index] for body in bodies], new, pairs))
+        self.events.append(
+            Event(self.now, kind, where, [self.motion[body.index] for body in bodies], new, pairs, rails)
+        )
         for body, motion in zip(bodies, new, strict=True):
             self.motion[body.index] = motion
             self.tracks[body.index].append(motion)

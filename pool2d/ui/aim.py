@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 
 from ..physics.values import Shot
 
-# The speed of a full pull, and how far that is in pixels whatever the window's size: it is the same
-# hand that pulls. The first pixels are free, so that a click is not a shot, and slow speeds get room.
+# The speed of a full pull, and how far that is as a part of the window's height (of 9/16 of the width,
+# where that is less): the same movement across the screen gives the same speed in a window of any size.
+# The first part is free, so that a click is not a shot, and slow speeds get room.
 MAX_SPEED = 10.0
-FULL_PULL = 260.0
-FREE_PULL = 6.0
+FULL_PULL = 0.36
+FREE_PULL = 0.0085
 _CURVE = 1.6
 # How far the tip may be set from the centre, in radii: past the miscue limit, but on the ball.
 MAX_OFFSET = 0.7
@@ -53,7 +54,13 @@ class Aim:
         return replace(self, speed=min(max(round(speed, 2), 0.1), MAX_SPEED))
 
 
-def pulled_speed(pixels: float) -> float:
-    """The cue's speed, m/s, after pulling back this far; 0 where it is no pull."""
-    part = (pixels - FREE_PULL) / (FULL_PULL - FREE_PULL)
+def pulled_speed(pulled: float) -> float:
+    """The cue's speed, m/s, after pulling back by a part of the window's height; 0 where it is no pull."""
+    part = (pulled - FREE_PULL) / (FULL_PULL - FREE_PULL)
     return MAX_SPEED * math.pow(min(max(part, 0.0), 1.0), _CURVE)
+
+
+def drawn_back(speed: float) -> float:
+    """The part of a full pull that gives this speed."""
+    part = math.pow(min(max(speed / MAX_SPEED, 0.0), 1.0), 1.0 / _CURVE)
+    return (FREE_PULL + part * (FULL_PULL - FREE_PULL)) / FULL_PULL

@@ -2,45 +2,77 @@
 
 from __future__ import annotations
 
-import os
 import time
 from pathlib import Path
 
 import pygame
 
 from ..errors import InputError
+from ..folders import pictures_folder
 from ..game.session import Session
 from ..preset import load_table, preset_files
+from ..settings import GUIDES, Store
 from ..table import Table
-from .keys import action_of
+from . import text, theme, words
+from .dialog import Dialog
+from .effects import Effects
+from .keys import KEYS, action_of
+from .options import Options
 from .play import Play
 from .scene import Scene
+from .sound import Sounds
+from .toast import Toasts
+from .window import SIZE, open_window, set_mode
+from .words import say
 
-SIZE = (1280, 720)
 _FPS = 60
-# Drivers that show nothing, which SDL falls back to without a screen.
-_UNSEEN = ("dummy", "offscreen", "evdev")
 # How often the open preset's file is looked at, s.
 _WATCH = 0.5
+# Settings are written when they have been left alone for so long, s.
+_SETTLED = 1.0
 
 
 class App:
-    """A window on a table. `step` is one frame; tests post events and call it as the loop does."""
+    """A window on a table. `step` is one frame; tests post events and call it as the loop does.
 
-    def __init__(self, table: Table, seed: int, size: tuple[int, int] = SIZE) -> None:
-        pygame.display.init()
-        pygame.font.init()
+    `store` is the player's settings; without one they are the defaults and are not kept. `surface` is the
+    window, where it is open already.
+    """
+
+    def __init__(
+        self,
+        table: Table,
+        seed: int,
+        size: tuple[int, int] = SIZE,
+        store: Store | None = None,
+        surface: pygame.Surface | None = None,
+    ) -> None:
+        self.store = store or Store()
+        self.surface = surface or open_window(size, self.store.values.screen.full)
+        self.size = size
         pygame.key.set_repeat(300, 30)
         pygame.display.set_caption(f"pool2d \N{EN DASH} {table.title}")
-        self.size = size
-        self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
-        self.play = Play(Session(table, seed=seed))
+        self.sounds = Sounds()
+        self.play = Play(Session(table, seed=seed), self.sounds)
         self.scene: Scene | None = self.play
+        self.toasts = Toasts()
         self._files = Watched(table)
+        self._came: list[pygame.event.Event] = []
+        self._unsaved = 0.0
+        self.store.listeners.append(self._apply)
+        self._apply()
+        self._take_keys()
+        for error in self.store.complaints:
+            self.toast(str(error), wrong=True)
+
+    def toast(self, said: str, wrong: bool = False) -> None:
+        """Show a short note over whatever is on the screen."""
+        self.toasts.say(said, wrong)
 
     def step(self, dt: float) -> bool:
         """Take the waiting events, let `dt` seconds pass and draw; False when the player has quit."""
-        for event in pygame.event.get():
+        came, self._came = self._came, []
+        for event in [*came, *pygame.event.get()]:
             if event.type == pygame.QUIT:
                 self.scene = None
             elif not self._window(event) and self.scene is not None:
@@ -48,51 +80,145 @@ class App:
         if self.scene is not None:
             self.scene = self.scene.update(dt)
         if self.scene is None:
+            self._save()
             return False
         self._watch(dt)
+        self._keep(dt)
+        self.toasts.update(dt)
         self.scene.draw(self.surface)
+        self.toasts.draw(self.surface)
         pygame.display.flip()
         return True
 
     def run(self, frames: int | None = None) -> None:
         """Play until the player quits, or for a number of frames."""
         clock = pygame.time.Clock()
-        dt = 0.0
-        count = 0
+        dt, count, preparing = 0.0, 0, True
         while (frames is None or count < frames) and self.step(dt):
+            if frames is None and not preparing and self._still:
+                self._rest()
+                clock.tick()
             # A long pause, such as a window being dragged, is not made up for.
             dt = min(clock.tick(_FPS) / 1000.0, 0.1)
             count += 1
+            # Between frames, and after the first: to open a device may take a moment.
+            preparing = count < 2 or self.sounds.prepare()
+
+    @property
+    def _still(self) -> bool:
+        """Whether the next frame would be as this one, unless an event comes."""
+        return self.scene is not None and self.scene.still and not self.toasts.notes
+
+    def _rest(self) -> None:
+        """Do nothing until an event comes, or until the files are to be looked at again."""
+        event = pygame.event.wait(round(1000 * _WATCH))
+        if event.type == pygame.NOEVENT:
+            self._watch(_WATCH)
+            self._keep(_WATCH)
+        else:
+            self._came.append(event)
 
     def close(self) -> None:
+        self._save()
         pygame.display.quit()
+        self.sounds.close()
+
+    # The window.
 
     def _window(self, event: pygame.event.Event) -> bool:
         """Whether an event was about the window itself, which is then done."""
         if event.type == pygame.VIDEORESIZE:
-            self.surface = pygame.display.get_surface() or self.surface
+            self._resized()
             return True
-        action = action_of(event.key, getattr(event, "mod", 0)) if event.type == pygame.KEYDOWN else None
+        # What is typed into a field, or bound to an action, means nothing to the window.
+        if event.type != pygame.KEYDOWN or (isinstance(self.scene, Dialog) and self.scene.typing):
+            return False
+        action = action_of(event.key, getattr(event, "mod", 0))
         if action == "fullscreen":
-            self._toggle_fullscreen()
+            self.store.turn("screen.full", not self.store.values.screen.full)
         elif action == "screenshot":
             self._screenshot()
-        return action in ("fullscreen", "screenshot")
-
-    def _toggle_fullscreen(self) -> None:
-        if self.surface.get_flags() & pygame.FULLSCREEN:
-            self.surface = pygame.display.set_mode(self.size, pygame.RESIZABLE)
+        elif action == "mute":
+            self.store.turn("sound.mute", not self.store.values.sound.mute)
+            self.sounds.click()
+            silent = self.sounds.muted
+            self.toast(say("window.sound_off", key=KEYS.shown("mute")) if silent else say("window.sound_on"))
+        elif action == "options" and isinstance(self.scene, Play):
+            # The hands leave the table, as they do when the window is left.
+            self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
+            self.scene = Options(self.scene, self.store)
         else:
+            return False
+        return True
+
+    def _resized(self) -> None:
+        self.surface = pygame.display.get_surface() or self.surface
+        if not self._full:
             self.size = self.surface.get_size()
-            self.surface = pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
+            self.store.turn("screen.width", self.size[0])
+            self.store.turn("screen.height", self.size[1])
+
+    @property
+    def _full(self) -> bool:
+        return bool(self.surface.get_flags() & pygame.FULLSCREEN)
 
     def _screenshot(self) -> None:
-        path = Path(time.strftime("pool2d-%Y%m%d-%H%M%S.png")).absolute()
+        path = pictures_folder() / time.strftime("pool2d-%Y%m%d-%H%M%S.png")
+        for number in range(2, 100):
+            if not path.exists():
+                break
+            path = path.with_stem(f"{path.stem.partition('_')[0]}_{number}")
         try:
+            path.parent.mkdir(parents=True, exist_ok=True)
             pygame.image.save(self.surface, path)
-            self.play.message = f"Saved {path}"
+            self.toast(say("window.picture_saved", path=path))
         except (OSError, pygame.error) as error:
-            self.play.message = f"The picture could not be saved: {error}"
+            self.toast(say("window.picture_failed", reason=error), wrong=True)
+
+    # The settings.
+
+    def _apply(self) -> None:
+        """Do as the settings say."""
+        values = self.store.values
+        for error in words.speak(values.screen.language):
+            self.toast(str(error), wrong=True)
+        words.tell_speeds_in(values.aiming.speed_unit)
+        self.toasts.still = values.screen.reduced_motion
+        self.play.level = GUIDES.index(values.aiming.guide)
+        palette = theme.PALETTES.get(values.balls.palette, theme.STANDARD)
+        self.play.effects = Effects(values.balls.trails, values.screen.reduced_motion)
+        self.play.stage.style = theme.Style(palette, values.balls.patterned)
+        self.sounds.volume = values.sound.volume
+        self.sounds.mute(values.sound.mute)
+        self._unsaved = 0.0
+        if values.screen.full != self._full:
+            self.surface = set_mode(self.size, values.screen.full)
+
+    def _take_keys(self) -> None:
+        """Bind the keys that the player has bound, and drop what is wrong among them."""
+        wrong = KEYS.take(self.store.keys, str(self.store.path))
+        for error in wrong:
+            self.store.complain(error)
+        if wrong:
+            self.store.bind(KEYS.names())
+
+    def _keep(self, dt: float) -> None:
+        """Keep what hands have changed in play, and write it once it has settled."""
+        if GUIDES[self.play.level] != self.store.values.aiming.guide:
+            self.store.turn("aiming.guide", GUIDES[self.play.level])
+        while text.failed:
+            self.toast(say("window.font_failed", path=text.failed.pop()), wrong=True)
+        self._unsaved += dt
+        if self._unsaved > _SETTLED:
+            self._save()
+
+    def _save(self) -> None:
+        try:
+            self.store.save()
+        except InputError as error:
+            self.toast(str(error), wrong=True)
+
+    # The preset's file.
 
     def _watch(self, dt: float) -> None:
         """Take a saved change of the preset's file, or say what is wrong with it and keep the old table."""
@@ -137,18 +263,3 @@ def _stamp(path: Path) -> tuple[int, int] | None:
     except OSError:
         return None
     return status.st_mtime_ns, status.st_size
-
-
-def play(table: Table, seed: int | None = None, frames: int | None = None) -> int:
-    """Open a window and play; returns the exit status. Raises InputError where there is no display."""
-    try:
-        app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed)
-    except pygame.error as error:
-        raise InputError("display", "", None, f"no window can be opened: {error}") from error
-    try:
-        if frames is None and pygame.display.get_driver() in _UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
-            raise InputError("display", "", None, "no screen was found to open a window on")
-        app.run(frames)
-    finally:
-        app.close()
-    return 0

@@ -6,24 +6,42 @@ from collections.abc import Callable
 
 import pygame
 
-from . import theme
+from . import shapes, theme
+from .field import TextField
 from .form import Form
 from .hud import Screen
-from .inputs import TextField
 from .scene import Scene
-from .widgets import Button, Heading, Widget
+from .widgets import Button, Gap, Heading, Widget
+from .words import say
 
 
 class Dialog:
-    """Some rows of widgets in the middle of the window; Esc, or setting `done`, goes back."""
+    """Some rows of widgets in the middle of the window; Esc, or setting `done`, goes back.
+
+    `width` is in units of the grid.
+    """
+
+    width = 50
 
     def __init__(self, below: Scene, title: str, rows: list[list[Widget]]) -> None:
         self.below = below
         self.done = False
-        self.form = Form([[Heading(lambda: title, theme.TEXT, large=True)], *rows])
+        self.form = Form([[Heading(lambda: title, theme.TEXT, large=True)], [Gap(0.3)], *rows])
+
+    @property
+    def typing(self) -> bool:
+        """Whether keys are for what has the focus, whatever else they mean."""
+        focus = self.form.focus
+        return focus is not None and (focus.greedy or isinstance(focus, TextField))
+
+    @property
+    def still(self) -> bool:
+        """No: a hint appears where the pointer has rested for a while."""
+        return False
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
-        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE:
+        greedy = self.form.focus is not None and self.form.focus.greedy
+        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and not greedy:
             self.done = True
         else:
             self.form.handle(event)
@@ -35,11 +53,10 @@ class Dialog:
 
     def draw(self, surface: pygame.Surface) -> None:
         self.below.draw(surface)
-        veil = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
-        veil.fill(theme.VEIL)
-        surface.blit(veil, (0, 0))
+        shapes.veil(surface)
         unit = Screen(*surface.get_size()).unit
-        box = pygame.Rect(0, 0, 50 * unit, self.form.height(unit) + 4 * unit)
+        height = min(self.form.height(unit) + 4 * unit, surface.get_height() - 4 * unit)
+        box = pygame.Rect(0, 0, min(self.width * unit, surface.get_width()), height)
         box.center = surface.get_rect().center
         self.form.place(box, unit)
         self.form.draw(surface)
@@ -50,6 +67,7 @@ class Ask(Dialog):
 
     def __init__(self, below: Scene, title: str, label: str, value: str, take: Callable[[str], str]) -> None:
         self.field = TextField(label, value)
+        self.field.select_all()
         self.take = take
         self.wrong = ""
         super().__init__(
@@ -58,7 +76,7 @@ class Ask(Dialog):
             [
                 [self.field],
                 [Heading(lambda: self.wrong, theme.WARNING, lines=3)],
-                [Button("Cancel", self._cancel), Button("Save", self._ok, strong=True)],
+                [Button(say("form.cancel"), self._cancel), Button(say("form.save"), self._ok, strong=True)],
             ],
         )
 

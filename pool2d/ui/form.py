@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pygame
 
-from . import text, theme
-from .widgets import Widget
+from . import shapes, text, theme
+from .field import TextField
+from .widgets import Widget, ring, scroll_mark
 
 # How long the pointer rests on a widget until its hint is shown, s.
 _HINT = 0.5
@@ -15,7 +16,8 @@ class Form:
     """Widgets in rows, on a panel.
 
     Tab and Shift+Tab (Up and Down too, where the widget has no use for them) move the focus, the wheel
-    scrolls. A row may hold several widgets side by side.
+    scrolls, and so does dragging the mark that tells that there is more. A row may hold several widgets side
+    by side. The ring around the focus is shown while it is moved by keys.
     """
 
     def __init__(self, rows: list[list[Widget]]) -> None:
@@ -24,8 +26,11 @@ class Form:
         self.rows: list[list[Widget]] = []
         self.focus: Widget | None = None
         self.scroll = 0
+        self.by_keys = True
         self._held: Widget | None = None
         self._pressed = False
+        self._scrolling: int | None = None
+        self._inside = False
         self._hovered: Widget | None = None
         self._rest = 0.0
         self.set_rows(rows)
@@ -40,7 +45,8 @@ class Form:
         if self.focus not in self.widgets:
             self.focus = next((widget for widget in self.widgets if widget.focusable), None)
         self._held = self._held if self._held in self.widgets else None
-        self._hovered = None
+        if self._hovered not in self.widgets:
+            self._hovered = None
 
     def height(self, unit: int) -> int:
         """How tall the rows are, in pixels."""
@@ -63,24 +69,18 @@ class Form:
         if event.type == pygame.MOUSEMOTION:
             return self._move(event.pos)
         if event.type == pygame.MOUSEBUTTONDOWN and self.rect.collidepoint(event.pos):
-            widget = self._under(event.pos)
-            self._pressed = event.button == 1
-            if event.button == 1 and widget is not None and widget.focusable:
-                self.focus = self._held = widget
-                widget.press(event.pos)
+            self._press(event.pos, event.button)
             return True
         if event.type == pygame.MOUSEBUTTONUP and event.button == 1 and self._pressed:
             # The release belongs to the form that took the press, also where its widget has gone since.
-            held, self._held, self._pressed = self._held, None, False
-            if held is not None:
-                held.release(event.pos)
+            self._release(event.pos)
             return True
         if event.type == pygame.KEYDOWN:
             return self._key(event.key, getattr(event, "mod", 0))
         if event.type == pygame.TEXTINPUT and self.focus is not None:
             self.focus.type(event.text)
             return True
-        if event.type == pygame.MOUSEWHEEL and self._hovered is not None:
+        if event.type == pygame.MOUSEWHEEL and self._inside:
             self.scroll -= event.y * 4 * self.unit
             return True
         return False
@@ -90,14 +90,20 @@ class Form:
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw the panel, the widgets on it and perhaps a hint."""
-        panel = pygame.Surface(self.rect.size, pygame.SRCALPHA)
-        pygame.draw.rect(panel, theme.PANEL, panel.get_rect(), border_radius=self.unit)
-        surface.blit(panel, self.rect)
+        shapes.panel(surface, self.rect, self.unit)
         clip = surface.get_clip()
         surface.set_clip(self.rect)
         for widget in self.widgets:
             if widget.rect.colliderect(self.rect):
-                widget.draw(surface, self.unit, widget is self.focus, widget is self._hovered)
+                shown = widget is self.focus and (self.by_keys or isinstance(widget, TextField))
+                widget.draw(surface, self.unit, shown, widget is self._hovered)
+        # A field that is typed in shows it by its cursor and its edge.
+        if self.focus is not None and self.by_keys and not isinstance(self.focus, TextField):
+            ring(surface, self.focus.rect, self.unit)
+        mark = self._mark()
+        if mark is not None:
+            color = theme.TEXT if self._scrolling is not None else theme.QUIET if self._inside else theme.EDGE
+            shapes.rounded(surface, mark, color, self.unit)
         surface.set_clip(clip)
         if self._hovered is not None and self._hovered.hint and self._rest > _HINT and self._held is None:
             self._draw_hint(surface, self._hovered)
@@ -109,23 +115,66 @@ class Form:
         width = max(text.font(size).size(line)[0] for line in lines) + 2 * unit
         box = pygame.Rect(0, 0, width, pitch * len(lines) + unit)
         box.topright = (self.rect.left - unit, widget.rect.top)
+        if box.left < 0:
+            # No room beside the form: below the widget then, or above it.
+            box.topleft = (widget.rect.left, widget.rect.bottom + unit // 2)
+            if box.bottom > surface.get_height():
+                box.bottom = widget.rect.top - unit // 2
         box.clamp_ip(surface.get_rect())
-        pygame.draw.rect(surface, theme.FACE, box, border_radius=unit // 2)
-        pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=unit // 2)
+        shapes.rounded(surface, box, theme.FACE, unit // 2, theme.EDGE)
         for i, line in enumerate(lines):
             text.draw(surface, line, size, theme.TEXT, (box.left + unit, box.top + unit // 2 + i * pitch))
 
+    def _press(self, pos: tuple[int, int], button: int) -> None:
+        self._pressed = button == 1
+        mark = self._mark()
+        if button != 1:
+            return
+        if mark is not None and mark.inflate(self.unit, 0).collidepoint(pos):
+            self._scrolling = pos[1]
+            return
+        widget = self._under(pos)
+        if widget is not None and widget.focusable:
+            self.by_keys = False
+            if self.focus is not None and self.focus is not widget:
+                self.focus.leave()
+            self.focus = self._held = widget
+            widget.held, widget.pointer = True, pos
+            widget.press(pos)
+
+    def _release(self, pos: tuple[int, int]) -> None:
+        held, self._held, self._pressed, self._scrolling = self._held, None, False, None
+        if held is not None:
+            held.held = False
+            held.release(pos)
+
     def _move(self, pos: tuple[int, int]) -> bool:
+        self._inside = self.rect.collidepoint(pos)
+        if self._scrolling is not None:
+            whole = self.height(self.unit) + 4 * self.unit
+            self.scroll += (pos[1] - self._scrolling) * whole // max(1, self.rect.height)
+            self._scrolling = pos[1]
+            return True
         if self._held is not None:
+            self._held.pointer = pos if self._held.rect.collidepoint(pos) else None
             self._held.drag(pos)
             return True
         under = self._under(pos)
         if under is not self._hovered:
+            if self._hovered is not None:
+                self._hovered.pointer = None
             self._hovered, self._rest = under, 0.0
-        return self.rect.collidepoint(pos)
+        if under is not None:
+            under.pointer = pos
+        return self._inside
+
+    def _mark(self) -> pygame.Rect | None:
+        """The mark that tells which part of the rows is in sight."""
+        return scroll_mark(self.rect, self.scroll, self.rect.height, self.height(self.unit) + 4 * self.unit, self.unit)
 
     def _key(self, key: int, mod: int) -> bool:
-        if key != pygame.K_TAB and self.focus is not None and self.focus.key(key, mod):
+        focus = self.focus
+        if focus is not None and (key != pygame.K_TAB or focus.greedy) and focus.key(key, mod):
             return True
         if key in (pygame.K_TAB, pygame.K_UP, pygame.K_DOWN):
             back = key == pygame.K_UP or (key == pygame.K_TAB and bool(mod & pygame.KMOD_SHIFT))
@@ -135,6 +184,7 @@ class Form:
 
     def _step(self, by: int) -> None:
         stops = [widget for widget in self.widgets if widget.focusable]
+        self.by_keys = True
         if stops:
             at = stops.index(self.focus) if self.focus in stops else -by
             self.focus = stops[(at + by) % len(stops)]

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import pygame
 
 from ..physics.motion import Motion
-from ..physics.rollout import Rollout
+from ..physics.rollout import Event, Rollout
 from ..physics.values import POCKETED, SLIDING, Ball
+from ..settings import GUIDES
 from ..table import Table
 from . import ball_art, pen, theme
 from .view import View
 
-OFF, LINE, GHOST, WHOLE = range(4)
-LEVELS = ("off", "line", "ghost ball", "whole shot")
+# The levels, as the settings name them in this order.
+OFF, LINE, GHOST, WHOLE = range(len(GUIDES))
 # Enough events to see past the first contact, also out of a rack.
 EVENTS = 25
-# How far the ways after the contact are followed, m.
+# How far the cue ball's way after the contact is followed, m.
 _AFTER = 0.6
+_MEETINGS = ("ball_ball", "ball_cushion", "ball_pocket", "cluster")
 
 Line = list[tuple[float, float]]
 
@@ -28,7 +31,8 @@ Line = list[tuple[float, float]]
 class Guide:
     """The ways of a shot in m: the cue ball's to its first contact with a ball, and what follows.
 
-    `ghost` is the cue ball at that contact; `after` its way on, `object` the way of the ball it hits.
+    `ghost` is the cue ball at that contact; `after` its way on, `object` the way of the ball it hits, to what
+    that meets or to where it rests.
     """
 
     cue: Line
@@ -37,18 +41,24 @@ class Guide:
     object: Line
 
 
+@lru_cache(maxsize=4)
 def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
-    """The guide of a rollout; `length` is how far the ways after the contact are followed."""
+    """The guide of a rollout; `length` is how far the cue ball is followed after the contact."""
     contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))
     if contact is None:
         return Guide(trace(rollout, cue), None, [], [])
     hit = next(ball for ball in pair if ball != cue)
+    met = next((event.t for event in rollout.events if event.t > contact.t and _meets(event, hit)), math.inf)
     return Guide(
         trace(rollout, cue, end=contact.t),
         contact.before[cue],
         trace(rollout, cue, start=contact.t, length=length),
-        trace(rollout, hit, start=contact.t, length=length),
+        trace(rollout, hit, start=contact.t, end=met),
     )
+
+
+def _meets(event: Event, ball: str) -> bool:
+    return event.kind in _MEETINGS and ball in event.balls
 
 
 def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf, length: float = math.inf) -> Line:
@@ -65,16 +75,18 @@ def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf
 
 def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
     """Draw the guide at a level from LINE up."""
-    scale = max(1.0, view.scale / 400.0)
+    scale = _scale(view)
     _line(surface, theme.GUIDE_CUE, guide.cue, view, 1.6 * scale)
-    if guide.ghost is None:
+    if guide.ghost is None or level < GHOST:
         return
     radius = table.body_of(guide.ghost)[0] * view.scale
     centre = view.to_screen(guide.ghost.x, guide.ghost.y)
+    _line(surface, theme.GUIDE_CUE, guide.after, view, 1.2 * scale)
+    _line(surface, theme.GUIDE_BALL, guide.object, view, 1.8 * scale)
+    pen.disc(surface, (*theme.GUIDE_CUE[:3], 56), centre, radius)
     pen.ring(surface, theme.GUIDE_CUE, centre, radius - 0.5, 1.4 * scale)
-    if level >= GHOST:
-        _line(surface, theme.GUIDE_CUE, guide.after, view, 1.2 * scale)
-        _line(surface, theme.GUIDE_BALL, guide.object, view, 1.8 * scale)
+    if guide.object:
+        pen.disc(surface, theme.GUIDE_BALL, view.to_screen(*guide.object[-1]), 3.0 * scale)
 
 
 def draw_whole(
@@ -84,9 +96,10 @@ def draw_whole(
     view: View,
     cue: theme.Color = theme.GUIDE_CUE,
     others: theme.Color = theme.GUIDE_BALL,
+    style: theme.Style = theme.PLAIN,
 ) -> None:
     """Draw every ball's way to its end, and where it comes to rest."""
-    scale = max(1.0, view.scale / 400.0)
+    scale = _scale(view)
     for ball in rollout.layout().values():
         if len(rollout.tracks.get(ball.id, ())) > 1:
             color = cue if ball.id == table.furniture.cue else others
@@ -94,7 +107,12 @@ def draw_whole(
             if ball.phase != POCKETED:
                 radius = table.body_of(ball)[0] * view.scale
                 look = table.furniture.looks.get(ball.id)
-                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look)
+                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look, style=style)
+
+
+def _scale(view: View) -> float:
+    """How much thicker lines are drawn where the table is seen large."""
+    return min(max(1.0, view.scale / 400.0), 2.0)
 
 
 def _sampled(motion: Motion, start: float, end: float) -> Line:

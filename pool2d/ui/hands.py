@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 from ..physics.values import Ball
@@ -14,13 +15,16 @@ Pos = tuple[int, int]
 
 # The aim, once set by wheel or keys, stays until the pointer has moved this far, in pixels.
 _HOLD = 8.0
+# Nearer to the cue ball than this, in its radii, the aim is calmed.
+_CALM = 6.0
 
 
 class Hands:
     """The aim, and what is being done to it.
 
-    `pull` is where a pull began and `pulled` how far back it has come, in pixels; `drag` names the
-    diagram being dragged; `hold` is where the pointer was when the aim was set by wheel or keys.
+    `pull` is where a pull began and `pulled` how far back it has come, as a part of the window's height; `drag`
+    names the diagram being dragged; `hold` is where the pointer was when the aim was set by wheel or keys.
+    `keys` is what keys do, by the names of their actions.
     """
 
     def __init__(self) -> None:
@@ -30,6 +34,18 @@ class Hands:
         self.pulled = 0.0
         self.drag = ""
         self.hold: Pos | None = None
+        self._pointed: tuple[float, float] | None = None
+        self.keys: dict[str, Callable[[], None]] = {
+            "harder": lambda: self.change_speed(0.25),
+            "softer": lambda: self.change_speed(-0.25),
+            "raise": lambda: self.raise_butt(1.0),
+            "lower": lambda: self.raise_butt(-1.0),
+            "spin_up": lambda: self.nudge_tip(0.0, 0.05),
+            "spin_down": lambda: self.nudge_tip(0.0, -0.05),
+            "spin_left": lambda: self.nudge_tip(-0.05, 0.0),
+            "spin_right": lambda: self.nudge_tip(0.05, 0.0),
+            "no_spin": self.center,
+        }
 
     @property
     def busy(self) -> bool:
@@ -47,13 +63,25 @@ class Hands:
         return 0.0 if self.pull is None else min(max(self.pulled / FULL_PULL, 0.0), 1.0)
 
     def point(self, pos: Pos, view: View, cue: Ball, radius: float) -> None:
-        """Aim through the pointer, unless a fine aim is held or the pointer is on the ball itself."""
+        """Aim through the pointer, unless a fine aim is held or the pointer is on the ball itself.
+
+        Close to the ball a small movement means a large angle, so there the aim only goes toward the pointer: right
+        beside the ball by no more than the same movement would turn it from a few radii off, and the freer the
+        farther out.
+        """
         if self.hold is not None and math.dist(pos, self.hold) < _HOLD:
             return
+        self.hold = None
         x, y = view.to_table(*pos)
-        if math.hypot(x - cue.x, y - cue.y) > radius:
-            self.hold = None
-            self.aim = self.aim.toward(x - cue.x, y - cue.y)
+        dx, dy = x - cue.x, y - cue.y
+        moved = math.dist((dx, dy), self._pointed) if self._pointed is not None else math.inf
+        self._pointed = dx, dy
+        if math.hypot(dx, dy) > radius:
+            # How far out of the calm the pointer is; from 1 on it is free.
+            out = math.hypot(dx, dy) / (_CALM * radius)
+            limit = math.degrees(moved / (_CALM * radius)) / (1.0 - out) if out < 1.0 else math.inf
+            turn = math.remainder(math.degrees(math.atan2(dy, dx)) - self.aim.angle, 360.0)
+            self.aim = self.aim.toward(dx, dy) if abs(turn) <= limit else self.aim.turned(math.copysign(limit, turn))
 
     def grab(self, pos: Pos, screen: Screen) -> bool:
         """Take hold of a diagram, if one is there."""
@@ -76,7 +104,8 @@ class Hands:
         elif self.pull is not None:
             angle = math.radians(self.aim.angle)
             # Back along the cue; on the screen y points down.
-            self.pulled = (self.pull[0] - pos[0]) * math.cos(angle) - (self.pull[1] - pos[1]) * math.sin(angle)
+            back = (self.pull[0] - pos[0]) * math.cos(angle) - (self.pull[1] - pos[1]) * math.sin(angle)
+            self.pulled = back / screen.measure
         return self.busy
 
     def let_go(self) -> float:

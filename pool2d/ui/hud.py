@@ -4,24 +4,30 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import pygame
 
 from ..physics.strike import miscue_limit
-from . import pen, text, theme
+from . import pen, text, theme, words
 from .aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Screen:
     """Where things are in a window of a given size."""
 
     width: int
     height: int
 
-    @property
+    @cached_property
+    def measure(self) -> int:
+        """The height, or of a narrow window what it would be at 16 to 9, in pixels."""
+        return min(self.height, self.width * 9 // 16)
+
+    @cached_property
     def unit(self) -> int:
-        return theme.unit(min(self.height, self.width * 9 // 16))
+        return theme.unit(self.measure)
 
     @property
     def small(self) -> int:
@@ -34,6 +40,11 @@ class Screen:
     @property
     def top(self) -> pygame.Rect:
         return pygame.Rect(0, 0, self.width, self.unit * 4)
+
+    @property
+    def tray(self) -> pygame.Rect:
+        """Where the fallen balls lie: in the middle of the upper bar."""
+        return pygame.Rect(self.width * 5 // 16, 0, self.width * 3 // 8, self.top.height)
 
     @property
     def bottom(self) -> pygame.Rect:
@@ -97,8 +108,8 @@ def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: floa
     bar = screen.power
     radius = bar.height // 2
     y = screen.bottom.top + screen.unit * 2
-    text.draw(surface, f"{speed:.2f} m/s", screen.large, theme.TEXT, (bar.left, y))
-    angle = f"{aim.angle:.2f}\N{DEGREE SIGN}"
+    text.draw(surface, words.speed(speed), screen.large, theme.TEXT, (bar.left, y))
+    angle = words.number(aim.angle, ".2f") + "\N{DEGREE SIGN}"
     text.draw(surface, angle, screen.small, theme.QUIET, (bar.right, y + screen.large // 3), (1.0, 0.0))
     pygame.draw.rect(surface, theme.EDGE, bar, border_radius=radius)
     filled = bar.copy()

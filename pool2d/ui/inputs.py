@@ -1,4 +1,4 @@
-"""Controls that hold a value: sliders, choices, text fields, lists."""
+"""Controls that hold a value: sliders, choices, lists."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 import pygame
 
 from ..knobs import Knob
-from . import pen, text, theme
-from .widgets import Widget, plate, tone
+from . import pen, shapes, text, theme, words
+from .widgets import Widget, face, plate, scroll_mark, tone
 
 _BACK = "\N{SINGLE LEFT-POINTING ANGLE QUOTATION MARK}"
 _ON = "\N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK}"
@@ -21,15 +21,16 @@ class Slider(Widget):
     rows = 1.9
 
     def __init__(
-        self, label: str, knob: Knob, get: Callable[[], float], put: Callable[[float], None], reset: Callable[[], None]
-    ) -> None:
+        self, label: str, knob: Knob, get: Callable[[], float], put: Callable[[float], None],
+        reset: Callable[[], None], hint: str = "",
+    ) -> None:  # fmt: skip
         super().__init__()
         self.label = label
         self.knob = knob
         self.get = get
         self.put = put
         self.reset = reset
-        self.hint = f"{knob.doc}; {knob.allowed()}"
+        self.hint = hint or f"{knob.doc}; {knob.allowed()}"
         # Where a range spans several powers of ten, equal steps are equal ratios.
         self._log = knob.lo > 0.0 and knob.hi / knob.lo >= 50.0
         self._unit = 8
@@ -70,14 +71,16 @@ class Slider(Widget):
         track, value = self._track(), self.get()
         top = self.rect.top + unit // 2
         color = theme.ACCENT if focused else theme.TEXT
-        text.draw(surface, self.label, unit * 7 // 4, color, (self.rect.left, top))
-        shown = f"{value:.4g} {self.knob.unit}".rstrip()
-        text.draw(surface, shown, unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
-        pygame.draw.rect(surface, theme.EDGE, track, border_radius=track.height)
+        shown = f"{words.number(value, '.4g')} {self.knob.unit}".rstrip()
+        told = text.draw(surface, shown, unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
+        label = text.fitted(self.label, unit * 7 // 4, told.left - self.rect.left - unit)
+        text.draw(surface, label, unit * 7 // 4, color, (self.rect.left, top))
+        shapes.rounded(surface, track, theme.EDGE, track.height)
         x = round(track.left + self.part(value) * track.width)
-        pygame.draw.rect(surface, theme.ACCENT, (track.left, track.top, x - track.left, track.height), border_radius=4)
-        if focused or hovered:
-            pen.disc(surface, theme.EDGE, (x, track.centery), unit * 1.3)
+        filled = pygame.Rect(track.left, track.top, x - track.left, track.height)
+        shapes.rounded(surface, filled, theme.ACCENT, track.height)
+        if focused or hovered or self.held:
+            pen.disc(surface, theme.ACCENT_DOWN if self.held else theme.EDGE, (x, track.centery), unit * 1.3)
         pen.disc(surface, theme.TEXT, (x, track.centery), unit * 0.85)
 
     def _track(self) -> pygame.Rect:
@@ -88,13 +91,16 @@ class Slider(Widget):
 
 
 class Choice(Widget):
-    """One of a few names, on one line: click its left or right half, or press Left or Right."""
+    """One of a few names, on one line: click its left or right half, or press Left or Right.
+
+    `shown` is how a name is told.
+    """
 
     rows = 1.25
 
     def __init__(
         self, label: str, options: Callable[[], Sequence[str]], get: Callable[[], str], put: Callable[[str], None],
-        hint: str = "",
+        hint: str = "", shown: Callable[[str], str] = str,
     ) -> None:  # fmt: skip
         super().__init__()
         self.label = label
@@ -102,6 +108,7 @@ class Choice(Widget):
         self.get = get
         self.put = put
         self.hint = hint
+        self.shown = shown
 
     def turn(self, by: int) -> None:
         options = list(self.options())
@@ -109,8 +116,7 @@ class Choice(Widget):
         self.put(options[(at + by) % len(options)])
 
     def press(self, pos: tuple[int, int]) -> None:
-        middle = self.rect.left + self.rect.width * 7 // 10
-        self.turn(-1 if pos[0] < middle else 1)
+        self.turn(-1 if pos[0] < self._middle() else 1)
 
     def key(self, key: int, mod: int) -> bool:
         if key in (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_SPACE, pygame.K_RETURN):
@@ -121,48 +127,22 @@ class Choice(Widget):
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         size = unit * 7 // 4
         color = theme.ACCENT if focused else theme.TEXT
-        text.draw(surface, self.label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
-        box = pygame.Rect(
-            self.rect.left + self.rect.width * 2 // 5, self.rect.top, self.rect.width * 3 // 5, self.rect.height
-        )
+        box = pygame.Rect(self._middle() - self.rect.width * 3 // 10, self.rect.top, 0, self.rect.height)
+        box.width = self.rect.right - box.left
+        label = text.fitted(self.label, size, box.left - self.rect.left - unit // 2)
+        text.draw(surface, label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
         box.inflate_ip(0, -unit // 2)
-        plate(surface, box, theme.FACE_LIT if hovered else theme.FACE, unit, tone(focused, False))
-        text.draw(surface, _BACK, size, theme.QUIET, (box.left + unit, box.centery), (0.0, 0.5))
-        text.draw(surface, _ON, size, theme.QUIET, (box.right - unit, box.centery), (1.0, 0.5))
-        shown = text.fitted(self.get(), size, box.width - 5 * unit)
-        text.draw(surface, shown, size, theme.TEXT, box.center, (0.5, 0.5))
+        plate(surface, box, face(self.pressed, hovered), unit, tone(hovered))
+        over = 0 if self.pointer is None or not hovered else -1 if self.pointer[0] < self._middle() else 1
+        back, on = (theme.TEXT if over == side else theme.QUIET for side in (-1, 1))
+        text.draw(surface, _BACK, size, back, (box.left + unit, box.centery), (0.0, 0.5))
+        text.draw(surface, _ON, size, on, (box.right - unit, box.centery), (1.0, 0.5))
+        said = text.fitted(self.shown(self.get()), size, box.width - 5 * unit)
+        text.draw(surface, said, size, theme.TEXT, box.center, (0.5, 0.5))
 
-
-class TextField(Widget):
-    """A line of text to type in."""
-
-    rows = 2.4
-
-    def __init__(self, label: str, value: str = "", limit: int = 40) -> None:
-        super().__init__()
-        self.label = label
-        self.value = value
-        self.limit = limit
-
-    def key(self, key: int, mod: int) -> bool:
-        if key == pygame.K_BACKSPACE:
-            self.value = "" if mod & pygame.KMOD_CTRL else self.value[:-1]
-            return True
-        return False
-
-    def type(self, words: str) -> None:
-        self.value = (self.value + "".join(char for char in words if char.isprintable()))[: self.limit]
-
-    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
-        size = unit * 7 // 4
-        text.draw(surface, self.label, size, theme.QUIET, self.rect.topleft)
-        box = pygame.Rect(self.rect.left, self.rect.bottom - unit * 7 // 2, self.rect.width, unit * 3)
-        plate(surface, box, theme.FACE, unit, tone(focused, hovered))
-        shown = self.value + ("|" if focused else "")
-        # The end of a long text is what one types at.
-        while len(shown) > 1 and text.font(size).size(shown)[0] > box.width - 2 * unit:
-            shown = shown[1:]
-        text.draw(surface, shown, size, theme.TEXT, (box.left + unit, box.centery), (0.0, 0.5))
+    def _middle(self) -> int:
+        """Left of this, a click turns back."""
+        return self.rect.left + self.rect.width * 7 // 10
 
 
 class ListBox(Widget):
@@ -199,12 +179,18 @@ class ListBox(Widget):
         return True
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
-        plate(surface, self.rect, theme.FACE, unit, tone(focused, False))
+        plate(surface, self.rect, theme.FACE, unit, tone(hovered))
         pitch = self.rect.height / self.lines
         first = self.first()
+        mark = scroll_mark(self.rect, first, self.lines, len(self.options()), unit)
+        width = self.rect.width - (0 if mark is None else unit)
         for i, name in enumerate(list(self.options())[first : first + self.lines]):
-            line = pygame.Rect(self.rect.left, round(self.rect.top + i * pitch), self.rect.width, round(pitch))
-            if name == self.get():
-                plate(surface, line.inflate(-unit // 2, -unit // 4), theme.FACE_LIT, unit, None)
+            line = pygame.Rect(self.rect.left, round(self.rect.top + i * pitch), width, round(pitch))
+            over = hovered and self.pointer is not None and line.collidepoint(self.pointer)
+            if name == self.get() or over:
+                color = theme.SELECTED if name == self.get() else theme.FACE_LIT
+                plate(surface, line.inflate(-unit // 2, -unit // 4), color, unit, None)
             shown = text.fitted(name, unit * 7 // 4, line.width - 3 * unit)
             text.draw(surface, shown, unit * 7 // 4, theme.TEXT, (line.left + unit * 3 // 2, line.centery), (0.0, 0.5))
+        if mark is not None:
+            shapes.rounded(surface, mark, theme.QUIET if hovered else theme.EDGE, unit)

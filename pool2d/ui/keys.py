@@ -1,66 +1,140 @@
-"""What every key and hand does: one table that binds them and that the help lists."""
+"""What every key does: one table of defaults, which the player may change, and which the help lists."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import pygame
 
+from ..errors import InputError
+from . import words
 
-@dataclass(frozen=True, slots=True)
-class Binding:
-    """An action, the keys that do it (with Ctrl or without), how the help names them and what they do."""
+# A chord is a key's code, plus this where Ctrl is held.
+CTRL = 1 << 27
 
-    action: str
-    keys: tuple[int, ...]
-    shown: str
-    does: str
-    ctrl: bool | None = None
+DEFAULTS: dict[str, tuple[int, ...]] = {
+    "turn_left": (pygame.K_LEFT,),
+    "turn_right": (pygame.K_RIGHT,),
+    "harder": (pygame.K_UP,),
+    "softer": (pygame.K_DOWN,),
+    "strike": (pygame.K_SPACE, pygame.K_RETURN),
+    "spin_up": (pygame.K_w,),
+    "spin_left": (pygame.K_a,),
+    "spin_down": (pygame.K_s,),
+    "spin_right": (pygame.K_d,),
+    "no_spin": (pygame.K_BACKSPACE,),
+    "lower": (pygame.K_q,),
+    "raise": (pygame.K_e,),
+    "guide": (pygame.K_g,),
+    "vectors": (pygame.K_v,),
+    "fast": (pygame.K_TAB,),
+    "replay": (pygame.K_r,),
+    "pause": (pygame.K_p,),
+    "undo": (pygame.K_u, CTRL + pygame.K_z),
+    "rack": (pygame.K_n,),
+    "tune": (pygame.K_t,),
+    "geometry": (pygame.K_b,),
+    "nearer": (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS),
+    "farther": (pygame.K_MINUS, pygame.K_KP_MINUS),
+    "look_up": (pygame.K_i,),
+    "look_left": (pygame.K_j,),
+    "look_down": (pygame.K_k,),
+    "look_right": (pygame.K_l,),
+    "whole_table": (pygame.K_0, pygame.K_KP0),
+    "mute": (pygame.K_m,),
+    "options": (pygame.K_o,),
+    "fullscreen": (pygame.K_f, pygame.K_F11),
+    "screenshot": (pygame.K_F12,),
+    "help": (pygame.K_F1,),
+    "cancel": (pygame.K_ESCAPE,),
+    "quit": (CTRL + pygame.K_q,),
+}
 
-
-BINDINGS = (
-    Binding("turn_left", (pygame.K_LEFT,), "Left / Right", "turn the aim by 0.05 degrees (Shift 0.01, Ctrl 1)"),
-    Binding("turn_right", (pygame.K_RIGHT,), "", ""),
-    Binding("harder", (pygame.K_UP,), "Up / Down", "speed of a key stroke"),
-    Binding("softer", (pygame.K_DOWN,), "", ""),
-    Binding("strike", (pygame.K_SPACE, pygame.K_RETURN), "Space, Enter", "strike; place a ball in hand; skip to rest"),
-    Binding("spin_up", (pygame.K_w,), "W A S D", "move the tip on the ball: follow, left, draw, right", ctrl=False),
-    Binding("spin_left", (pygame.K_a,), "", "", ctrl=False),
-    Binding("spin_down", (pygame.K_s,), "", "", ctrl=False),
-    Binding("spin_right", (pygame.K_d,), "", "", ctrl=False),
-    Binding("no_spin", (pygame.K_BACKSPACE,), "Backspace", "no spin, level cue"),
-    Binding("lower", (pygame.K_q,), "Q / E", "lower or raise the butt of the cue", ctrl=False),
-    Binding("raise", (pygame.K_e,), "", "", ctrl=False),
-    Binding("guide", (pygame.K_g,), "G", "guide: off, line, ghost ball, whole shot"),
-    Binding("fast", (pygame.K_TAB,), "Tab (hold)", "fast-forward"),
-    Binding("replay", (pygame.K_r,), "R", "see the last shot again"),
-    Binding("undo", (pygame.K_u,), "U, Ctrl+Z", "take back the last shot"),
-    Binding("undo", (pygame.K_z,), "", "", ctrl=True),
-    Binding("rack", (pygame.K_n,), "N", "new rack"),
-    Binding("tune", (pygame.K_t,), "T", "tune the table: every knob, and what it does to the last shot"),
-    Binding("geometry", (pygame.K_b,), "B", "show the geometry that the physics sees"),
-    Binding("fullscreen", (pygame.K_f, pygame.K_F11), "F, F11", "full screen"),
-    Binding("screenshot", (pygame.K_F12,), "F12", "save a picture of the window"),
-    Binding("help", (pygame.K_F1,), "F1", "this page"),
-    Binding("cancel", (pygame.K_ESCAPE,), "Esc", "put the cue down; close this page"),
-    Binding("quit", (pygame.K_q,), "Ctrl+Q", "quit", ctrl=True),
+# The help tells these together; every other action has a line of its own.
+TOGETHER = (
+    ("turn_left", "turn_right"),
+    ("harder", "softer"),
+    ("spin_up", "spin_left", "spin_down", "spin_right"),
+    ("lower", "raise"),
+    ("nearer", "farther"),
+    ("look_up", "look_left", "look_down", "look_right"),
 )
+HELD = ("fast",)
+HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "ball", "cue", "place")
 
-HANDS = (
-    ("Move", "aim: the cue points through the pointer"),
-    ("Press, pull back, release", "strike; the distance is the speed"),
-    ("Ease forward, right click, Esc", "put the cue down without a stroke"),
-    ("Wheel", "fine aim, as Left / Right"),
-    ("Drag on the ball diagram", "where the tip meets the ball"),
-    ("Drag on the cue diagram", "how steep the cue is"),
-    ("Click with a ball in hand", "place it; red where it has no room"),
-)
+# What goes back and what only changes other keys cannot be bound; nor can going back be bound to another key.
+FIXED = ("cancel",)
+_RESERVED = (
+    pygame.K_ESCAPE, pygame.K_LSHIFT, pygame.K_RSHIFT, pygame.K_LCTRL, pygame.K_RCTRL, pygame.K_LALT, pygame.K_RALT,
+    pygame.K_LGUI, pygame.K_RGUI, pygame.K_CAPSLOCK, pygame.K_NUMLOCK, pygame.K_UNKNOWN,
+)  # fmt: skip
+
+
+class Keymap:
+    """Which chords do what: the defaults, with what the player has bound in their place."""
+
+    def __init__(self) -> None:
+        self.chords = dict(DEFAULTS)
+
+    def action_of(self, key: int, mod: int) -> str | None:
+        """The action bound to a key, if any. With Ctrl held, a key that means nothing more means the same."""
+        ctrl = bool(mod & (pygame.KMOD_CTRL | pygame.KMOD_META))
+        return (self.owner(key + CTRL) if ctrl else None) or self.owner(key)
+
+    def owner(self, chord: int) -> str | None:
+        """The action that has a chord."""
+        return next((action for action, chords in self.chords.items() if chord in chords), None)
+
+    def bind(self, action: str, *chords: int) -> None:
+        """Do `action` by these chords alone, and nothing else by any of them."""
+        for other, theirs in self.chords.items():
+            self.chords[other] = tuple(chord for chord in theirs if chord not in chords)
+        self.chords[action] = chords
+
+    def reset(self, *actions: str) -> None:
+        """Give actions their own chords back, from whatever has them."""
+        for action in actions or tuple(DEFAULTS):
+            self.bind(action, *DEFAULTS[action])
+
+    def shown(self, *actions: str) -> str:
+        """The keys of actions, as people call them."""
+        if len(actions) > 1:
+            return (" / " if len(actions) == 2 else " ").join(shown(*self.chords[action][:1]) for action in actions)
+        return shown(*self.chords[actions[0]])
+
+    def names(self) -> dict[str, list[str]]:
+        """What differs from the defaults, as it is kept in the settings."""
+        return {
+            action: [_name(chord) for chord in chords]
+            for action, chords in self.chords.items()
+            if chords != DEFAULTS[action]
+        }
+
+    def take(self, names: Mapping[str, tuple[str, ...]], source: str) -> list[InputError]:
+        """Bind what the settings say, in place of everything bound; returns what is wrong there.
+
+        A wrong entry leaves its action with its default.
+        """
+        self.chords = dict(DEFAULTS)
+        wrong = []
+        taken: set[int] = set()
+        for action, said in names.items():
+            chords = tuple(_chord(name) for name in said)
+            good = action in DEFAULTS and action not in FIXED and not taken & set(chords)
+            if good and all(may_be_bound(chord) for chord in chords):
+                self.bind(action, *chords)
+                taken |= set(chords)
+            else:
+                wrong.append(InputError(source, f"keys.{action}", list(said), words.say("options.keys.unknown")))
+        return wrong
+
+
+KEYS = Keymap()
 
 
 def action_of(key: int, mod: int) -> str | None:
-    """The action bound to a key, if any."""
-    ctrl = bool(mod & (pygame.KMOD_CTRL | pygame.KMOD_META))
-    return next((b.action for b in BINDINGS if key in b.keys and b.ctrl in (None, ctrl)), None)
+    """The action bound to a key at present, if any."""
+    return KEYS.action_of(key, mod)
 
 
 def fine_step(mod: int) -> float:
@@ -68,3 +142,52 @@ def fine_step(mod: int) -> float:
     if mod & pygame.KMOD_SHIFT:
         return 0.01
     return 1.0 if mod & pygame.KMOD_CTRL else 0.05
+
+
+def chord_of(key: int, mod: int) -> int:
+    """A key as it is pressed."""
+    return key + CTRL if mod & (pygame.KMOD_CTRL | pygame.KMOD_META) else key
+
+
+def may_be_bound(chord: int) -> bool:
+    """Whether a chord may be given a meaning."""
+    return chord & ~CTRL not in _RESERVED
+
+
+def shown(*chords: int) -> str:
+    """Chords as people call them: "Space, Enter"."""
+    return ", ".join(map(_shown, chords)) or words.say("key.none")
+
+
+def rows() -> list[tuple[str, ...]]:
+    """The actions, those together that the help tells together."""
+    grouped = {action: group for group in TOGETHER for action in group}
+    return list(dict.fromkeys(grouped.get(action, (action,)) for action in DEFAULTS))
+
+
+def _shown(chord: int) -> str:
+    name = _plain(chord)
+    text = name.replace(" ", "_")
+    if words.known(f"key.{text}"):
+        said = words.say(f"key.{text}")
+    else:
+        said = name.upper() if len(name) <= 3 else name.capitalize()
+    return f"{words.say('key.ctrl')}+{said}" if chord & CTRL else said
+
+
+def _plain(chord: int) -> str:
+    """The name of a key; keys that only some keyboards have are known to SDL alone."""
+    key = chord & ~CTRL
+    return pygame.key.name(key) or pygame.key.name(key, use_compat=False)
+
+
+def _name(chord: int) -> str:
+    return f"Ctrl+{_plain(chord)}" if chord & CTRL else _plain(chord)
+
+
+def _chord(name: str) -> int:
+    ctrl = name.lower().startswith("ctrl+") and len(name) > 5
+    try:
+        return pygame.key.key_code(name[5:] if ctrl else name) + (CTRL if ctrl else 0)
+    except ValueError:
+        return pygame.K_UNKNOWN

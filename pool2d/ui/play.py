@@ -4,31 +4,30 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from pathlib import Path
 
 import pygame
 
 from ..errors import BudgetError, InputError
 from ..game.session import Session
 from ..physics.rollout import Rollout
-from ..physics.strike import hop
-from ..physics.values import POCKETED
-from ..preset import differences, load_table, save_preset
+from ..preset import load_table
+from ..settings import GUIDES
 from ..table import Table
-from . import cue_art, guide, hud, theme
-from .debug import ScreenPen, draw_geometry
-from .dialog import Ask
+from . import guide, play_art, stroke, telling
+from .effects import Effects
 from .hands import Hands
 from .help import Help
-from .keys import action_of, fine_step
+from .in_hand import InHand
+from .keys import KEYS, action_of, fine_step
+from .playback import Playback
+from .saving import ask_to_save
 from .scene import Scene
+from .sound import Sounds
 from .stage import Stage
+from .timeline import Timeline
 from .tuning import Tuning
-
-_FAST = 8.0
-# How far the cue stands back from the ball at rest and at full pull, m.
-_REST, _FULL = 0.02, 0.32
-# From this height on, m, the player is told that a real ball would leave the cloth.
-_HOP = 0.005
+from .words import say
 
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
@@ -36,45 +35,63 @@ _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1
 class Play:
     """A session on screen.
 
-    While `rollout` is set, its balls are shown at `time`. `hover` is where a cue ball in hand is held;
-    `warning` stays until what it warns of is mended, `message` until the next.
+    While `playback` is set, its shot is shown. `effects` is what the options allow to move for show; `warning`
+    stays until what it warns of is mended. `told` says what is told until the next; it is asked anew for every
+    picture, as the language may change.
     """
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
         self.session = session
+        self.sounds = sounds or Sounds()
         self.stage = Stage(session.table)
         self.hands = Hands()
         self.level = guide.GHOST
-        self.rollout: Rollout | None = None
-        self.time = 0.0
-        self.fast = False
-        self.hover: tuple[float, float] | None = None
+        self.playback: Playback | None = None
+        self.timeline = Timeline()
+        self.in_hand = InHand()
         self.tuning: Tuning | None = None
+        self.effects = Effects()
         self.geometry = False
-        self.message = "Aim with the mouse, press, pull back and release. F1 lists every key."
+        self.vectors = False
+        self.told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
         self.warning = ""
         self._next: Scene | None = None
-        hands = self.hands
         self._keys: dict[str, Callable[[], None]] = {
-            "harder": lambda: hands.change_speed(0.25),
-            "softer": lambda: hands.change_speed(-0.25),
-            "raise": lambda: hands.raise_butt(1.0),
-            "lower": lambda: hands.raise_butt(-1.0),
-            "spin_up": lambda: hands.nudge_tip(0.0, 0.05),
-            "spin_down": lambda: hands.nudge_tip(0.0, -0.05),
-            "spin_left": lambda: hands.nudge_tip(-0.05, 0.0),
-            "spin_right": lambda: hands.nudge_tip(0.05, 0.0),
-            "no_spin": hands.center,
+            **self.hands.keys,
+            **self.stage.camera.keys,
             "strike": self._enter,
             "guide": self._next_guide,
-            "fast": self._fast_forward,
+            "fast": lambda: self._fast_forward(True),
             "replay": self._replay,
+            "pause": self._pause,
             "undo": self._undo,
             "rack": self._rack,
             "tune": self._tune,
             "geometry": self._show_geometry,
+            "vectors": self._show_vectors,
             "cancel": self._cancel,
         }
+
+    @property
+    def rollout(self) -> Rollout | None:
+        """The shot that is shown, if one is."""
+        return None if self.playback is None else self.playback.rollout
+
+    @property
+    def message(self) -> str:
+        """What is told at present; empty where nothing is."""
+        return self.told()
+
+    @property
+    def time(self) -> float:
+        """The moment of that shot, s; below 0 the cue is still on its way."""
+        return 0.0 if self.playback is None else self.playback.time
+
+    @property
+    def still(self) -> bool:
+        """Whether it would look the same at the next frame, unless an event comes."""
+        shown = self.playback is None or self.playback.still
+        return shown and self.stage.still and self.tuning is None
 
     # Events.
 
@@ -82,10 +99,16 @@ class Play:
         if self.tuning is not None and not self.hands.busy and self.tuning.handle(event):
             scene, self._next = self._next or self, None
             return scene
+        if event.type == pygame.MOUSEMOTION:
+            self.hands.pointer = event.pos
+        if self.stage.camera.handle(event, pygame.key.get_mods()):
+            return self
+        if self.playback is not None and self.playback.review and self.timeline.handle(event, self.playback):
+            return self
         if event.type == pygame.KEYDOWN:
             return self._key(event.key, getattr(event, "mod", 0))
         if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
-            self.fast = False
+            self._fast_forward(False)
         elif event.type == pygame.MOUSEMOTION:
             self._move(event.pos)
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
@@ -97,7 +120,9 @@ class Play:
         elif event.type == pygame.MOUSEWHEEL:
             self.hands.turn(event.y * fine_step(pygame.key.get_mods()))
         elif event.type == pygame.WINDOWFOCUSLOST:
-            self.fast = False
+            self._fast_forward(False)
+            self.stage.camera.let_go()
+            self.timeline.let_go()
             self._put_down()
         return self
 
@@ -109,7 +134,8 @@ class Play:
             return Help(self)
         if self._holding and action in _ARROWS:
             # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
-            self._nudge(*_ARROWS[action], 0.2 * fine_step(mod))
+            dx, dy = _ARROWS[action]
+            self.in_hand.nudge(self.session, 0.2 * fine_step(mod) * dx, 0.2 * fine_step(mod) * dy)
         elif action in ("turn_left", "turn_right"):
             self.hands.turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
         elif action in self._keys:
@@ -117,11 +143,10 @@ class Play:
         return self
 
     def _move(self, pos: tuple[int, int]) -> None:
-        self.hands.pointer = pos
         if self.hands.move(pos, self.stage.screen):
             return
         if self._holding:
-            self.hover = self.stage.view.to_table(*pos)
+            self.in_hand.at = self.stage.view.to_table(*pos)
         elif not self.session.in_hand:
             cue = self.session.cue
             self.hands.point(pos, self.stage.view, cue, self.session.table.body_of(cue)[0])
@@ -133,32 +158,33 @@ class Play:
         self._move(pos)
         if self._holding:
             self._place()
-        elif not self.rollout and screen.top.bottom <= pos[1] < screen.bottom.top:
+        elif self.playback is None and screen.top.bottom <= pos[1] < screen.bottom.top:
             self.hands.begin_pull(pos)
 
     def _release(self, pos: tuple[int, int]) -> None:
         self._move(pos)
         speed = self.hands.let_go()
         if speed > 0.0:
-            self._strike(speed)
+            self._strike(speed, drawn=True)
 
     # What hands and keys lead to.
 
     @property
     def _holding(self) -> bool:
         """Whether the player holds the cue ball."""
-        return self.session.in_hand and self.rollout is None
+        return self.session.in_hand and self.playback is None
 
     def _next_guide(self) -> None:
-        self.level = (self.level + 1) % len(guide.LEVELS)
-        self.message = f"Guide: {guide.LEVELS[self.level]}"
+        self.level = (self.level + 1) % len(GUIDES)
+        self.told = lambda: say("play.guide", level=say(f"choice.{GUIDES[self.level]}"))
 
-    def _fast_forward(self) -> None:
-        self.fast = True
+    def _fast_forward(self, fast: bool) -> None:
+        if self.playback is not None:
+            self.playback.fast = fast
 
     def _put_down(self) -> None:
         if self.hands.pull is not None:
-            self.message = "The cue is put down."
+            self.told = lambda: say("play.put_down")
         self.hands.put_down()
 
     def _cancel(self) -> None:
@@ -167,30 +193,49 @@ class Play:
         self._put_down()
 
     def _enter(self) -> None:
-        if self.rollout:
-            self.time = self.rollout.duration
+        if self.playback is not None:
+            self.playback.leave()
         elif self._holding:
             self._place()
         else:
             self._strike(self.hands.aim.speed)
 
-    def _strike(self, speed: float) -> None:
+    def _strike(self, speed: float, drawn: bool = False) -> None:
+        """Play the shot that is aimed; `drawn` where a hand has drawn the cue back already."""
         self.hands.put_down()
+        shot = self.hands.aim.shot(self.session.cue.id, speed)
         try:
-            self.rollout = self.session.play(self.hands.aim.shot(self.session.cue.id, speed))
+            rollout = self.session.play(shot)
         except (InputError, BudgetError) as error:
-            self.message = str(error)
+            wrong = str(error)
+            self.told = lambda: wrong
             return
-        self.time = 0.0
-        missed = any(event.where == "miscue" for event in self.rollout.events)
-        self.message = "Miscue: the tip slipped off the ball." if missed else ""
+        self._show(Playback(rollout, shot, stroke.lead(drawn, self.effects)))
+        self.told = lambda: say("play.miscue") if telling.missed(rollout) else ""
 
     def _replay(self) -> None:
-        if self.session.rollout is None:
-            self.message = "There is no shot to see again."
-        elif not self.rollout:
-            self.rollout, self.time = self.session.rollout, 0.0
-            self.message = "The last shot again."
+        last = self.session.rollout
+        if last is None:
+            self.told = lambda: say("play.no_shot")
+        elif self.playback is None:
+            self.hands.put_down()
+            self._show(Playback(last, self.session.position.shot, stroke.lead(False, self.effects), again=True))
+            self.timeline.begin(self.hands.pointer)
+            self.told = lambda: ""
+
+    def _pause(self) -> None:
+        """Hold the shot that runs, or the last one at its beginning."""
+        if self.playback is None:
+            self._replay()
+        if self.playback is not None:
+            self.timeline.begin(self.hands.pointer)
+            self.playback.pause()
+
+    def _show(self, playback: Playback) -> None:
+        """Run a shot from its beginning; without a stroke before it, the tip is heard at once."""
+        self.playback = playback
+        if playback.time == 0.0:
+            self.sounds.play_events(self.session.table, playback.rollout, -1.0, 0.0)
 
     def _tune(self) -> None:
         if self.tuning is None:
@@ -204,63 +249,51 @@ class Play:
         self._drop()
         self.tuning = None
         self.session = Session(load_table(name), seed=random.randrange(1 << 30))
-        self.message = f"{self.session.table.title}: a new rack."
+        title = self.session.table.title
+        self.told = lambda: say("play.new_table", table=title)
 
     def _ask_name(self) -> None:
-        table = self.session.table
+        def saved(path: Path) -> None:
+            self.told = lambda: say("play.saved", path=path)
 
-        def save(name: str) -> str:
-            try:
-                path = save_preset(name, table.source, differences(table), name)
-            except InputError as error:
-                return error.allowed
-            self.message = f"Saved as {path}"
-            return ""
-
-        self._next = Ask(self, "Save this table as a preset", "Name", f"my-{table.source}", save)
+        self._next = ask_to_save(self, self.session.table, saved)
 
     def _show_geometry(self) -> None:
         self.geometry = not self.geometry
 
+    def _show_vectors(self) -> None:
+        self.vectors = not self.vectors
+
     def _undo(self) -> None:
         self._drop()
-        self.message = "Taken back." if self.session.undo() else "There is nothing to take back."
+        undone = self.session.undo()
+        self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
 
     def _rack(self) -> None:
         self._drop()
         self.session.rack(random.randrange(1 << 30))
-        self.message = "A new rack."
+        self.told = lambda: say("play.new_rack")
 
     def _drop(self) -> None:
         """Let go of whatever is under way."""
-        self.rollout = None
+        self.playback = None
         self.hands.put_down()
-        self.hover = None
-
-    def _nudge(self, dx: float, dy: float, step: float) -> None:
-        x, y = self.hover or self._spot()
-        self.hover = (x + dx * step, y + dy * step)
+        self.in_hand.at = None
 
     def _place(self) -> None:
-        if self.session.place(*(self.hover or self._spot())):
-            self.hover = None
+        if self.in_hand.place(self.session):
             self.hands.hold = self.hands.pointer
-            self.message = ""
+            self.told = lambda: ""
         else:
-            self.message = "There is no room for the ball here."
-
-    def _spot(self) -> tuple[float, float]:
-        """Where a ball in hand is held before a hand has moved it."""
-        start = self.session.table.rack(self.session.rack_name)[self.session.cue.id]
-        return start.x, start.y
+            self.told = lambda: say("play.no_room")
 
     def change_table(self, table: Table) -> None:
         """Play on with other parameters; raises InputError where the balls do not fit."""
         self.session.change_table(table)
-        self.rollout = None
+        self.playback = None
         if self.tuning is not None:
             self.tuning.refresh()
-        self.message = "The table's file has changed, and so has the table."
+        self.told = lambda: say("play.file_changed")
 
     # Time.
 
@@ -268,65 +301,31 @@ class Play:
         if self.tuning is not None:
             self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
             self.tuning.update(dt)
-        if self.rollout:
-            self.time += dt * (_FAST if self.fast else 1.0)
-            if self.time >= self.rollout.duration:
-                self._come_to_rest(self.rollout)
+        self.stage.camera.update(dt, self.effects.eased)
+        if self.playback is not None:
+            before = self.playback.time
+            self.playback.update(dt)
+            self.sounds.play_events(self.session.table, self.playback.rollout, before, self.playback.time)
+            if self.playback.over:
+                self._come_to_rest(self.playback)
         return self
 
-    def _come_to_rest(self, rollout: Rollout) -> None:
-        self.rollout = None
-        after = rollout.layout()
-        fallen = [ball.id for ball in rollout.start.on_table() if after[ball.id].phase == POCKETED]
-        if self.session.in_hand:
-            self.message = "Scratch: the cue ball is in hand. Click where it shall stand."
-        elif self.session.left == 0:
-            self.message = "The table is cleared. N sets up a new rack."
-        elif fallen:
-            self.message = f"Down: {', '.join(sorted(fallen, key=lambda ball: (len(ball), ball)))}."
-        elif not self.message.startswith("Miscue"):
-            self.message = ""
-        self.hands.hold = None
-        if self.hands.pointer is not None:
-            self._move(self.hands.pointer)
-
-    # Drawing.
+    def _come_to_rest(self, shown: Playback) -> None:
+        self.playback = None
+        if telling.missed(shown.rollout) and not shown.again:
+            self.sounds.chalk()
+        if shown.review:
+            # The pointer has been elsewhere: the aim stays until it is moved again.
+            self.hands.hold = self.hands.pointer
+        else:
+            self.hands.hold = None
+            if self.hands.pointer is not None:
+                self._move(self.hands.pointer)
+        if shown.again:
+            self.told = lambda: ""
+        elif self.session.in_hand or not telling.missed(shown.rollout):
+            cue = self.session.cue.id
+            self.told = lambda: telling.outcome(shown.rollout, cue)
 
     def draw(self, surface: pygame.Surface) -> None:
-        session, stage = self.session, self.stage
-        screen = hud.Screen(*surface.get_size())
-        stage.begin(surface, session.table, self.tuning.width(screen) if self.tuning is not None else 0)
-        aim, speed = self.hands.aim, self.hands.speed
-        shown = self.rollout.at(self.time) if self.rollout else session.layout
-        aiming = not (self.rollout or session.in_hand)
-        if self.tuning is not None and self.hands.pull is None and not self.rollout:
-            stage.ways(surface, self.tuning)
-        elif aiming and speed > 0.0:
-            stage.guide(surface, self.level, session.layout, aim.shot(session.cue.id, speed))
-        stage.balls(surface, shown)
-        if aiming:
-            back = _REST + (_FULL - _REST) * self.hands.drawn
-            cue_art.draw(surface, session.table, session.cue, aim, back, stage.view)
-        elif not self.rollout:
-            x, y = self.hover or self._spot()
-            stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
-        if self.geometry:
-            draw_geometry(ScreenPen(surface, stage.view), session.table)
-        note = f"Shot {session.position.shots + 1}   \N{MIDDLE DOT}   {session.left} balls left"
-        hud.draw_bars(surface, stage.screen, session.table.title, note)
-        hud.draw_controls(surface, stage.screen, aim, speed, session.table.knobs.cue.tip_friction)
-        wrong = (self.tuning.error if self.tuning is not None else "") or self.warning
-        message = wrong or f"{self.message} {self._hop(speed)}".strip()
-        hud.draw_message(surface, stage.screen, message, theme.WARNING if wrong else theme.TEXT)
-        if self.tuning is not None:
-            self.tuning.draw(surface)
-
-    def _hop(self, speed: float) -> str:
-        """What to say of a stroke so steep and hard that a real ball would leave the cloth."""
-        if self.hands.aim.elevation == 0.0 or self.rollout or self.session.in_hand:
-            return ""
-        knobs = self.session.table.knobs
-        apex = hop(self.hands.aim.shot("", speed), self.session.table.body_of(self.session.cue)[1], knobs)[1]
-        if apex < _HOP:
-            return ""
-        return f"So steep and hard, a real ball would hop {1000.0 * apex:.0f} mm. Here it stays on the cloth."
+        play_art.draw(surface, self)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pygame
 
 from ..errors import InputError
-from ..physics.values import POCKETED
+from ..game.lying import racked
 from ..scenario import Scenario
 from . import ball_art, guide, table_art
 from .view import fit
@@ -23,11 +23,13 @@ def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
     picture = table_art.draw(table, size, view)
     guide.draw_whole(picture, scenario.simulate(), table, view)
-    for ball in scenario.layout.values():
-        if ball.phase != POCKETED:
-            radius = table.body_of(ball)[0] * view.scale
-            look = table.furniture.looks.get(ball.id)
-            ball_art.draw(picture, ball.id, view.to_screen(ball.x, ball.y), radius, look=look)
+    lies = racked(scenario.layout)
+    balls = []
+    for ball in scenario.layout.on_table():
+        look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
+        radius = table.body_of(ball)[0] * view.scale
+        balls.append(ball_art.Placed(look, view.to_screen(ball.x, ball.y), radius, lies[ball.id]))
+    ball_art.draw_all(picture, balls)
     if out.suffix.lower() not in (".png", ".jpg", ".bmp", ".tga"):
         raise InputError(str(out), "", None, "a picture's name ends in .png, .jpg, .bmp or .tga")
     try:

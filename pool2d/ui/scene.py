@@ -10,6 +10,11 @@ import pygame
 class Scene(Protocol):
     """A screen. The next state is the return value: a scene returns itself, another, or None to quit."""
 
+    @property
+    def still(self) -> bool:
+        """Whether it would look the same at the next frame, unless an event comes."""
+        ...
+
     def handle(self, event: pygame.event.Event) -> Scene | None:
         """Take one event."""
         ...

@@ -2,29 +2,39 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Hashable
 
 import pygame
 
 from ..errors import BudgetError, InputError
+from ..game.falls import falling
+from ..game.lying import Keeper
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
+from ..physics.turning import FACING, Quaternion
 from ..physics.values import Ball, Layout, Shot
+from ..racks import Look
 from ..table import Table
-from . import ball_art, guide, hud, pen, table_art, theme
+from . import ball_art, guide, hud, pen, theme, tray
+from .background import Background
+from .camera import Camera
 from .tuning import Tuning
 from .view import View, fit
 
 
 class Stage:
-    """The surface being drawn on, the table, and where the one is on the other."""
+    """The surface being drawn on, the table, and where the one is on the other; `style` is how balls are drawn."""
 
     def __init__(self, table: Table) -> None:
         self.table = table
+        self.style = theme.PLAIN
+        self.keeper = Keeper()
+        self._down: list[str] = []
         self.screen = hud.Screen(1280, 720)
-        self.view = self._fit()
-        self._background_key: Hashable = None
-        self._background = pygame.Surface((1, 1))
+        self.camera = Camera()
+        self._background = Background()
+        self._fit(0)
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
@@ -32,21 +42,46 @@ class Stage:
         """Take the window's present size, less `panel` pixels on the right, and draw the table."""
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
-        self.view = self._fit(panel)
-        key = (self.view, self.screen, table)
-        if key != self._background_key:
-            self._background_key = key
-            self._background = table_art.draw(table, surface.get_size(), self.view)
-        surface.blit(self._background, (0, 0))
+        self._fit(panel)
+        self._background.show(surface, table, self.camera.home, self.view)
 
-    def balls(self, surface: pygame.Surface, layout: Layout) -> None:
-        """Draw every ball that is on the table."""
-        for ball in layout.on_table():
-            self.ball(surface, ball)
+    @property
+    def view(self) -> View:
+        """Where the table is on the window at this moment."""
+        return self.camera.view
+
+    @property
+    def still(self) -> bool:
+        """Whether the camera rests and the table's picture is drawn in full."""
+        return self.camera.settled and self._background.settled
+
+    def balls(
+        self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf
+    ) -> None:
+        """Draw every ball on the table as it lies, and those on their way into a pocket.
+
+        `rollout` is the shot that has led to the layout, if one has, `t` seconds after its start; without
+        a time it is over.
+        """
+        lies, down = self.keeper.lying(layout, rollout, t)
+        balls = []
+        if rollout is not None:
+            falls = falling(rollout, self.keeper.turning(rollout), self.table.geometry.pockets, t)
+            for fall in falls:
+                ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
+                balls.append(tray.sinking(fall, self._placed(ball, fall.lie)))
+        balls += [self._placed(ball, lies.get(ball.id, FACING)) for ball in layout.on_table()]
+        ball_art.draw_all(surface, balls, self.style)
+        self._down = [ball for ball in down if ball != self.table.furniture.cue]
 
     def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
         look = self.table.furniture.looks.get(ball.id)
-        ball_art.draw(surface, ball.id, self.view.to_screen(ball.x, ball.y), self._radius(ball), faint, look)
+        centre = self.view.to_screen(ball.x, ball.y)
+        ball_art.draw(surface, ball.id, centre, self._radius(ball), faint, look, style=self.style)
+
+    def tray(self, surface: pygame.Surface) -> None:
+        """Draw the balls that had fallen when the table was drawn last, but the cue ball."""
+        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in self._down], self.style)
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
         """Draw a ball held over the table, ringed by whether it has room there."""
@@ -59,7 +94,7 @@ class Stage:
         rollout = self.foresee(level, layout, shot)
         if rollout is not None and level != guide.OFF:
             if level == guide.WHOLE:
-                guide.draw_whole(surface, rollout, self.table, self.view)
+                guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
             guide.draw(surface, guide.foresee(rollout, shot.ball), level, self.table, self.view)
 
     def ways(self, surface: pygame.Surface, tuning: Tuning) -> None:
@@ -70,7 +105,7 @@ class Stage:
             (tuning.new, theme.GUIDE_CUE, theme.GUIDE_BALL),
         ):
             if rollout is not None:
-                guide.draw_whole(surface, rollout, self.table, self.view, cue, other)
+                guide.draw_whole(surface, rollout, self.table, self.view, cue, other, self.style)
 
     def foresee(self, level: int, layout: Layout, shot: Shot) -> Rollout | None:
         """The shot's rollout as far as the guide needs it; worked out anew only for another shot."""
@@ -84,10 +119,17 @@ class Stage:
                 self._foreseen = None
         return self._foreseen
 
-    def _fit(self, panel: int = 0) -> View:
+    def _fit(self, panel: int) -> None:
         size = self.table.knobs.table
         left, top, width, height = self.screen.table
-        return fit(size.length, size.width, (left, top, max(1, width - panel), height))
+        area = (left, top, max(1, width - panel), height)
+        self.camera.fit(fit(size.length, size.width, area), (size.length, size.width), area)
+
+    def _look(self, ball: str) -> Look:
+        return self.table.furniture.looks.get(ball) or ball_art.usual(ball)
+
+    def _placed(self, ball: Ball, lie: Quaternion) -> ball_art.Placed:
+        return ball_art.Placed(self._look(ball.id), self.view.to_screen(ball.x, ball.y), self._radius(ball), lie)
 
     def _radius(self, ball: Ball) -> float:
         return self.table.body_of(ball)[0] * self.view.scale

@@ -3,19 +3,29 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from pathlib import Path
 
 import pygame
 
 from ..assets import asset
 from .theme import Color
 
+# Font files that could not be read; whoever tells the player takes them out.
+failed: set[Path] = set()
+
 
 @lru_cache(maxsize=32)
 def font(size: int) -> pygame.font.Font:
     """The font at a height of `size` pixels; pygame's own where the file is missing or damaged."""
+    path = asset("fonts", "OpenSans-Semibold.ttf")
+    size = max(1, size)
     try:
-        return pygame.font.Font(asset("fonts", "OpenSans-Semibold.ttf"), size)
+        made = pygame.font.Font(path, size)
+        # A damaged file is only found out when the font is used.
+        made.size("x")
+        return made
     except (OSError, pygame.error):
+        failed.add(path)
         return pygame.font.Font(None, size)
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-# How much of the frame round the playing surface is shown, m.
-FRAME = 0.14
+# How much round the playing surface is shown, m: the cushions, the rails and a little floor.
+FRAME = 0.16
 
 
 @dataclass(frozen=True, slots=True)

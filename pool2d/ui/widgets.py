@@ -10,18 +10,31 @@ from collections.abc import Callable, Sequence
 
 import pygame
 
-from . import pen, text, theme
+from . import pen, shapes, text, theme
 
 
 class Widget:
-    """What every control has. `rows` is its height in rows of the form; `hint` is told on hovering."""
+    """What every control has.
+
+    `rows` is its height in rows of the form; `hint` is told on hovering; `greedy` ones get Tab and Esc too,
+    while they have the focus. The form keeps `held`, whether the button is down on it, and `pointer`, where
+    the pointer is while it is over it.
+    """
 
     rows = 1.0
     focusable = True
+    greedy = False
     hint = ""
 
     def __init__(self) -> None:
         self.rect = pygame.Rect(0, 0, 0, 0)
+        self.held = False
+        self.pointer: tuple[int, int] | None = None
+
+    @property
+    def pressed(self) -> bool:
+        """Whether letting the button go now would act."""
+        return self.held and self.pointer is not None
 
     def press(self, pos: tuple[int, int]) -> None:
         """The button went down on it."""
@@ -31,6 +44,9 @@ class Widget:
 
     def release(self, pos: tuple[int, int]) -> None:
         """The button went up again."""
+
+    def leave(self) -> None:
+        """The focus goes elsewhere."""
 
     def key(self, key: int, mod: int) -> bool:
         """A key, while it has the focus; whether it meant something to it."""
@@ -45,14 +61,32 @@ class Widget:
 
 def plate(surface: pygame.Surface, rect: pygame.Rect, color: theme.Color, unit: int, edge: theme.Color | None) -> None:
     """A rounded rectangle, with an edge or without."""
-    pygame.draw.rect(surface, color, rect, border_radius=unit * 3 // 4)
-    if edge is not None:
-        pygame.draw.rect(surface, edge, rect, max(1, unit // 6), border_radius=unit * 3 // 4)
+    shapes.rounded(surface, rect, color, unit * 3 // 4, edge, max(1, unit // 6))
 
 
-def tone(focused: bool, hovered: bool) -> theme.Color:
+def face(pressed: bool, hovered: bool) -> theme.Color:
+    """The colour of what can be pressed."""
+    return theme.FACE_DOWN if pressed else theme.FACE_LIT if hovered else theme.FACE
+
+
+def ring(surface: pygame.Surface, rect: pygame.Rect, unit: int) -> None:
+    """Mark what has the focus."""
+    shapes.rounded(surface, rect.inflate(unit * 3 // 2, 0), None, unit, theme.ACCENT, max(2, unit // 5))
+
+
+def scroll_mark(rect: pygame.Rect, first: int, seen: int, whole: int, unit: int) -> pygame.Rect | None:
+    """The mark at the right edge of `rect` that tells which part of the whole is in sight; None where all is."""
+    if whole <= seen:
+        return None
+    room = rect.height - unit
+    height = max(2 * unit, room * seen // whole)
+    top = rect.top + unit // 2 + (room - height) * first // (whole - seen)
+    return pygame.Rect(rect.right - unit, top, max(2, unit * 5 // 8), height)
+
+
+def tone(hovered: bool) -> theme.Color:
     """The colour of an edge."""
-    return theme.ACCENT if focused else theme.TEXT if hovered else theme.EDGE
+    return theme.QUIET if hovered else theme.EDGE
 
 
 class Heading(Widget):
@@ -82,6 +116,16 @@ class Heading(Widget):
             text.draw(surface, line, size, self.color, (self.rect.left, self.rect.top + i * pitch))
 
 
+class Gap(Widget):
+    """Room between others."""
+
+    focusable = False
+
+    def __init__(self, rows: float) -> None:
+        super().__init__()
+        self.rows = rows
+
+
 class Button(Widget):
     """Does something when it is pressed and released, or on Enter or Space."""
 
@@ -93,15 +137,10 @@ class Button(Widget):
         self.do = do
         self.hint = hint
         self.strong = strong
-        self._down = False
-
-    def press(self, pos: tuple[int, int]) -> None:
-        self._down = True
 
     def release(self, pos: tuple[int, int]) -> None:
-        if self._down and self.rect.collidepoint(pos):
+        if self.rect.collidepoint(pos):
             self.do()
-        self._down = False
 
     def key(self, key: int, mod: int) -> bool:
         if key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE):
@@ -110,12 +149,14 @@ class Button(Widget):
         return False
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
-        face = self.rect.inflate(0, -unit // 2)
-        color = theme.ACCENT if self.strong else theme.FACE_LIT if hovered or self._down else theme.FACE
-        edge = theme.TEXT if focused and self.strong else tone(focused, hovered)
-        plate(surface, face, color, unit, edge)
-        words = theme.BACKGROUND if self.strong else theme.TEXT
-        text.draw(surface, self.label, unit * 7 // 4, words, face.center, (0.5, 0.5))
+        box = self.rect.inflate(0, -unit // 2)
+        color = face(self.pressed, hovered)
+        if self.strong:
+            color = theme.ACCENT_DOWN if self.pressed else theme.ACCENT_LIT if hovered else theme.ACCENT
+        plate(surface, box, color, unit, None if self.strong else tone(hovered))
+        label = text.fitted(self.label, unit * 7 // 4, box.width - unit)
+        sunk = (box.centerx, box.centery + (unit // 8 if self.pressed else 0))
+        text.draw(surface, label, unit * 7 // 4, theme.BACKGROUND if self.strong else theme.TEXT, sunk, (0.5, 0.5))
 
 
 class Toggle(Widget):
@@ -141,25 +182,32 @@ class Toggle(Widget):
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         color = theme.ACCENT if focused else theme.TEXT
-        text.draw(surface, self.label, unit * 7 // 4, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+        label = text.fitted(self.label, unit * 7 // 4, self.rect.width - 5 * unit)
+        text.draw(surface, label, unit * 7 // 4, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
         track = pygame.Rect(0, 0, unit * 4, unit * 2)
         track.midright = self.rect.midright
         on = self.get()
-        pygame.draw.rect(surface, theme.ACCENT if on else theme.EDGE, track, border_radius=unit)
+        lit = theme.ACCENT_LIT if hovered else theme.ACCENT
+        unlit = theme.QUIET if hovered else theme.EDGE
+        shapes.rounded(surface, track, lit if on else unlit, unit)
         x = track.right - unit if on else track.left + unit
-        pen.disc(surface, theme.TEXT, (x, track.centery), unit * 0.8)
+        pen.disc(surface, theme.TEXT, (x, track.centery), unit * (0.65 if self.pressed else 0.8))
 
 
 class Tabs(Widget):
-    """Names side by side, one of which is open."""
+    """Names side by side, one of which is open; `shown` is how a name is told."""
 
     rows = 1.5
 
-    def __init__(self, names: Sequence[str], get: Callable[[], str], put: Callable[[str], None]) -> None:
+    def __init__(
+        self, names: Sequence[str], get: Callable[[], str], put: Callable[[str], None],
+        shown: Callable[[str], str] = str,
+    ) -> None:  # fmt: skip
         super().__init__()
         self.names = list(names)
         self.get = get
         self.put = put
+        self.shown = shown
 
     def press(self, pos: tuple[int, int]) -> None:
         index = (pos[0] - self.rect.left) * len(self.names) // max(1, self.rect.width)
@@ -174,9 +222,15 @@ class Tabs(Widget):
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         width = self.rect.width / len(self.names)
+        labels = [self.shown(name) for name in self.names]
+        size = max(1, unit * 3 // 2)
+        while size > 1 and max(text.font(size).size(label)[0] for label in labels) > width - unit // 2:
+            size -= 1
         for i, name in enumerate(self.names):
+            over = self.pointer is not None and hovered and 0 <= self.pointer[0] - self.rect.left - i * width < width
             tab = pygame.Rect(round(self.rect.left + i * width), self.rect.top, round(width) - 1, self.rect.height)
             tab.inflate_ip(-unit // 4, -unit // 2)
             here = name == self.get()
-            plate(surface, tab, theme.FACE_LIT if here else theme.FACE, unit, tone(focused, False) if here else None)
-            text.draw(surface, name, unit * 3 // 2, theme.TEXT if here else theme.QUIET, tab.center, (0.5, 0.5))
+            plate(surface, tab, theme.FACE_LIT if here else theme.FACE, unit, tone(over) if here else None)
+            color = theme.TEXT if here or over else theme.QUIET
+            text.draw(surface, labels[i], size, color, tab.center, (0.5, 0.5))

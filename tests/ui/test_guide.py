@@ -62,11 +62,25 @@ def test_an_elevated_cue_makes_the_path_swerve_back() -> None:
     assert later < first
 
 
-def test_the_ways_after_the_contact_are_cut_to_length() -> None:
+def test_the_way_of_the_cue_ball_after_the_contact_is_cut_to_length() -> None:
     view = guide.foresee(simulate(TABLE, CUT, Shot(angle=1.0, speed=4.0), events=guide.EVENTS), "cue", length=0.3)
-    for line in (view.after, view.object):
-        length = sum(math.dist(a, b) for a, b in pairwise(line))
-        assert length == pytest.approx(0.3)
+    assert sum(math.dist(a, b) for a, b in pairwise(view.after)) == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("angle", [1.0, 2.7])
+def test_the_object_balls_line_ends_at_what_it_meets(angle: float) -> None:
+    shot = Shot(angle=angle, speed=3.0)
+    met = next(
+        event for event in simulate(TABLE, CUT, shot).events if event.kind == "ball_cushion" and "1" in event.balls
+    )
+    ball = met.before["1"]
+    assert seen(shot).object[-1] == pytest.approx((ball.x, ball.y), abs=1e-9)
+
+
+def test_the_object_balls_line_ends_where_it_comes_to_rest() -> None:
+    shot = Shot(angle=1.8, speed=0.6)
+    end = simulate(TABLE, CUT, shot).layout()["1"]
+    assert seen(shot).object[-1] == pytest.approx((end.x, end.y), abs=1e-9)
 
 
 def test_a_trace_meets_the_rollout() -> None:

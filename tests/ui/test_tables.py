@@ -16,6 +16,7 @@ from pool2d.ui.app import App
 from pool2d.ui.view import fit
 
 from .conftest import Hand
+from .test_pictures import of_color
 
 NAMES = shipped(TABLES)
 SIZE = (1280, 720)
@@ -62,21 +63,22 @@ def test_frame_cushion_and_cloth_lie_along_every_side(name: str) -> None:
         nx, ny = (b.y - a.y) / length, (a.x - b.x) / length
         # Away from side pockets and diamonds.
         x, y = a.x + 0.29 * (b.x - a.x), a.y + 0.29 * (b.y - a.y)
-        for out, color in ((-0.05, theme.CLOTH), (0.025, theme.CUSHION), (0.07, theme.WOOD)):
+        finish = table.furniture.finish
+        for out, color, slack in ((-0.05, finish.cloth, 0.16), (0.025, finish.cloth, 0.16), (0.1, finish.wood, 0.3)):
             px, py = view.to_screen(x + out * nx, y + out * ny)
-            assert near(picture.get_at((round(px), round(py))), color), (name, a.cushion, out)
+            assert of_color(picture.get_at((round(px), round(py))), color, slack), (name, a.cushion, out)
     for pocket in table.geometry.pockets:
         px, py = view.to_screen(pocket.x, pocket.y)
         assert near(picture.get_at((round(px), round(py))), theme.HOLE, 8)
 
 
-def test_nothing_is_drawn_where_the_l_is_not() -> None:
+def test_only_the_floor_is_where_the_l_is_not() -> None:
     table = load_table("l-shape")
     view = fit(2.54, 1.905, (0, 0, *SIZE))
     picture = table_art.draw(table, SIZE, view)
     for x, y in ((1.9, 1.4), (2.4, 1.8), (2.62, 1.97)):
         px, py = view.to_screen(x, y)
-        assert picture.get_at((round(px), round(py)))[:3] == theme.BACKGROUND
+        assert max(picture.get_at((round(px), round(py)))[:3]) < 48
 
 
 def drawn(look: Look | None, ball: str = "x") -> pygame.Surface:
@@ -90,7 +92,7 @@ def test_snooker_balls_have_their_colours(ball: str) -> None:
     look = load_table("snooker-12ft").furniture.looks[ball]
     color = tuple(bytes.fromhex(look.color[1:]))
     # Where the light falls in full but does not gleam.
-    assert near(drawn(look).get_at((52, 40)), color, 60)
+    assert near(drawn(look).get_at((33, 42)), color, 60)
 
 
 def test_numbers_stripes_and_dots_can_be_told() -> None:

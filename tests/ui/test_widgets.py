@@ -8,9 +8,10 @@ import pygame
 import pytest
 
 from pool2d.knobs import Knob
+from pool2d.ui.field import TextField
 from pool2d.ui.form import Form
-from pool2d.ui.inputs import Choice, ListBox, Slider, TextField
-from pool2d.ui.widgets import Button, Heading, Tabs, Toggle, Widget
+from pool2d.ui.inputs import Choice, ListBox, Slider
+from pool2d.ui.widgets import Button, Heading, Tabs, Toggle, Widget, ring
 
 BOX = pygame.Rect(100, 50, 320, 600)
 
@@ -211,7 +212,7 @@ def test_a_hint_is_told_after_a_rest() -> None:
     def shown() -> bytes:
         surface = pygame.Surface((800, 720))
         made.draw(surface)
-        return pygame.image.tobytes(surface.subsurface((0, 0, BOX.left, 720)), "RGB")
+        return pygame.image.tobytes(surface, "RGB")
 
     before = shown()
     made.update(1.0)
@@ -241,3 +242,79 @@ def test_every_widget_draws_within_its_place(unit: int) -> None:
         left = pygame.mask.from_threshold(surface, (0, 0, 0), (1, 1, 1, 255))
         left.invert()
         assert left.count() == 0, type(widget).__name__
+
+
+def buttons(count: int) -> Form:
+    return form(*(Button(str(i), lambda: None) for i in range(count)))
+
+
+def test_a_form_that_scrolls_has_a_mark_and_one_that_does_not_has_none() -> None:
+    assert buttons(3)._mark() is None
+    mark = buttons(40)._mark()
+    assert mark is not None and BOX.contains(mark)
+
+
+def test_the_mark_follows_the_wheel_and_is_dragged() -> None:
+    made = buttons(40)
+    top = made._mark()
+    assert top is not None
+    post(made, pygame.MOUSEMOTION, pos=BOX.center)
+    post(made, pygame.MOUSEWHEEL, x=0, y=-3)
+    made.place(BOX, 8)
+    below = made._mark()
+    assert below is not None and below.top > top.top
+    post(made, pygame.MOUSEBUTTONDOWN, pos=below.center, button=1)
+    post(made, pygame.MOUSEMOTION, pos=(below.centerx, BOX.bottom + 500))
+    made.place(BOX, 8)
+    post(made, pygame.MOUSEBUTTONUP, pos=(below.centerx, BOX.bottom + 500), button=1)
+    assert BOX.contains(made.widgets[-1].rect)
+    end = made._mark()
+    assert end is not None and BOX.bottom - end.bottom < 8
+    scroll = made.scroll
+    post(made, pygame.MOUSEMOTION, pos=BOX.center)
+    assert made.scroll == scroll
+
+
+def shown(made: Form) -> bytes:
+    surface = pygame.Surface((800, 720))
+    made.draw(surface)
+    return pygame.image.tobytes(surface, "RGB")
+
+
+def test_hovered_pressed_and_focused_each_look_their_own() -> None:
+    cell = Cell("a")
+    for made in (
+        form(Button("Do", lambda: None)),
+        form(Button("Do", lambda: None, strong=True)),
+        form(Toggle("Guide", lambda: True, lambda _: None)),
+        form(slider(Cell(0.5))),
+        form(Choice("Law", lambda: ["a"], cell.text, cell.put)),
+    ):
+        rect = made.widgets[0].rect
+        focused = shown(made)
+        made.by_keys = False
+        plain = shown(made)
+        post(made, pygame.MOUSEMOTION, pos=rect.center)
+        hovered = shown(made)
+        post(made, pygame.MOUSEBUTTONDOWN, pos=rect.center, button=1)
+        pressed = shown(made)
+        assert len({plain, hovered, pressed, focused}) == 4, made.widgets[0]
+        post(made, pygame.MOUSEBUTTONUP, pos=rect.center, button=1)
+        post(made, pygame.MOUSEMOTION, pos=(5, 5))
+        assert shown(made) == plain
+
+
+def test_the_ring_is_for_those_who_use_keys() -> None:
+    made = form(Button("A", lambda: None), Button("B", lambda: None))
+    click(made, made.widgets[0].rect.center)
+    assert not made.by_keys
+    key(made, pygame.K_TAB)
+    assert made.by_keys and made.focus is made.widgets[1]
+
+
+def test_the_ring_stands_clear_of_the_labels() -> None:
+    made = form(Toggle("Guide", lambda: True, lambda _: None))
+    surface = pygame.Surface((800, 720))
+    ring(surface, made.widgets[0].rect, 8)
+    inside = surface.subsurface(made.widgets[0].rect.inflate(4, -4))
+    assert pygame.transform.average_color(inside)[:3] == (0, 0, 0)

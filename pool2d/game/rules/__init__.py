@@ -9,15 +9,31 @@ from ...errors import InputError, suggest
 from ...table import Table
 from .base import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Options, Rules, Ruling, State
 from .eight_ball import EightBall, EightBallState
+from .english_eight_ball import EnglishEightBall
 from .nine_ball import NineBall
 from .one_pocket import OnePocket
 from .practice import Practice
+from .snooker import Snooker
 from .straight import Straight
+from .straight_rail import StraightRail
 from .ten_ball import TenBall
+from .three_cushion import ThreeCushion
 from .words import Note, label, say
 
 GAMES: dict[str, type[Rules[Any]]] = {
-    rules.name: rules for rules in (EightBall, NineBall, TenBall, Straight, OnePocket, Practice)
+    rules.name: rules
+    for rules in (
+        EightBall,
+        NineBall,
+        TenBall,
+        Straight,
+        OnePocket,
+        EnglishEightBall,
+        Snooker,
+        ThreeCushion,
+        StraightRail,
+        Practice,
+    )
 }
 
 

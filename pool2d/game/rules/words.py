@@ -24,6 +24,12 @@ ENGLISH: dict[str, str] = {
     "foul.push": "push stroke",
     "foul.break": "the break was not legal",
     "foul.three": "third foul in a row",
+    "foul.two-at-once": "two balls were hit at once",
+    "foul.potted": "the {ball} was pocketed, and it was not on",
+    "foul.free-snooker": "the {ball} was the free ball, and snookers",
+    "foul.into-rail": "the cue ball was played into the cushion it lay on",
+    "foul.inside": "no ball was driven out of the corner",
+    "foul.not-red": "the red was not hit first",
     # What happened.
     "break": "{player} breaks",
     "turn": "{player} to play",
@@ -47,6 +53,18 @@ ENGLISH: dict[str, str] = {
     "loss.eight-pocket": "{player} pocketed the 8 where it was not called",
     "owes": "{player} owes a ball",
     "re-racked": "the balls are racked again",
+    "miss": "foul and a miss",
+    "warned": "{player} will lose the frame by another miss",
+    "free-ball": "free ball",
+    "tie": "the scores are level; the black is spotted again",
+    "claims": "{player} claims the frame",
+    "group.red": "{player} has the reds",
+    "group.yellow": "{player} has the yellows",
+    "loss.black-foul": "{player} pocketed the black on a foul",
+    "loss.black-early": "{player} pocketed the black too early",
+    "two-visits": "{player} has two visits",
+    "respotted": "the balls are put on their spots",
+    "last-inning": "{player} has the last inning, from the starting position",
     # What may be chosen; after a colon comes what it is about.
     "choice.accept": "Play the balls as they lie",
     "choice.kitchen": "Take the cue ball behind the head string",
@@ -57,6 +75,13 @@ ENGLISH: dict[str, str] = {
     "choice.opponent-breaks": "Rack again; the opponent breaks",
     "choice.spot": "Spot the ball nearest to the head string",
     "choice.spot-eight": "Spot the 8 and play on",
+    "choice.play-again": "Let the opponent play again",
+    "choice.put-back": "Put the balls back; the opponent plays again",
+    "choice.baulk": "Take the cue ball to baulk",
+    "choice.claim": "Claim the frame",
+    "choice.group": "Play the {what}s",
+    "choice.respot": "Put the touching balls on their spots",
+    "choice.start-spot": "Start from the {what} spot",
     "choice.pocket": "Score in the {what} pocket",
 }
 
@@ -86,6 +111,7 @@ def say(note: Note, names: Sequence[str] = ("Player 1", "Player 2"), words: Mapp
     player = names[note.player] if 0 <= note.player < len(names) else ""
     # Of many alike, such as red7, the number is of no interest.
     ball = note.ball if note.ball.isdigit() else note.ball.rstrip("0123456789")
+    ball = "cue ball" if ball == "cue" else ball
     text = words[note.key].format(player=player, ball=ball, points=note.points)
     return text[:1].upper() + text[1:] + "."
 

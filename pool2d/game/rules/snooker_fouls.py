@@ -1,0 +1,153 @@
+"""What a stroke at snooker was worth: the balls it was on, its fouls and its points.
+
+Clauses are those of the WPBSA's rules, section 3. What the engine cannot show is in `report`: a stroke out of
+turn, feet, jumps, balls touched or used to measure (most of 3.10 a, b and d).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import NamedTuple
+
+from ...physics.values import Layout
+from ...table import Table
+from ..report import Report
+from .sight import snookering
+from .snooker_spots import COLORS, value
+from .words import Note
+
+RED, COLOR, ORDER = "red", "color", "order"
+# 3.10: the least and the greatest penalty.
+LEAST, MOST = 4, 7
+
+
+class Aim(NamedTuple):
+    """What the striker was on: the balls on, what they are worth, and the free ball nominated, if any.
+
+    No ball is on where a colour had to be nominated and was not.
+    """
+
+    on: tuple[str, ...]
+    worth: int
+    free: str = ""
+
+    @property
+    def first(self) -> tuple[str, ...]:
+        """The balls that had to be hit first (3.12 b)."""
+        return (self.free,) if self.free else self.on
+
+
+class Foul(NamedTuple):
+    """What was wrong, and the value it is punished by."""
+
+    note: Note
+    worth: int
+
+
+def balls_on(phase: str, layout: Layout) -> tuple[str, ...]:
+    """3.3 (f), (g): the reds; after a red the colours; when the reds are gone the colour of the lowest value."""
+    standing = [ball.id for ball in layout.on_table()]
+    if phase == RED:
+        return tuple(ball for ball in standing if ball.startswith(RED))
+    colors = tuple(ball for ball in COLORS if ball in standing)
+    return colors if phase == COLOR else colors[:1]
+
+
+def aimed(phase: str, free: bool, report: Report) -> Aim:
+    """What the striker was on.
+
+    Where nothing was said, the ball hit first is taken to be meant, as where it is plain to the referee.
+    """
+    on = balls_on(phase, report.start)
+    said = report.call.ball or next(iter(report.first), "")
+    if phase == COLOR:
+        touched = next((ball for ball in report.touching if ball in on), "") if not said else ""
+        named = said if said in on else touched
+        return Aim((named,), value(named)) if named else Aim((), MOST)
+    worth = value(on[0])
+    # 2.13: any ball but one on may be the free ball.
+    return Aim(on, worth, said if free and said in report.start and said not in on else "")
+
+
+def fouls(table: Table, layout: Layout, report: Report, aim: Aim) -> tuple[Foul, ...]:
+    """Every foul of a stroke, the dearest first; `layout` is as the balls came to rest (3.10)."""
+    found = [*_hit(report, aim), *_lost(report, aim), *_pushed(report, aim)]
+    if not found and aim.free and not scored(report, aim):
+        found += _hidden(table, layout, report, aim)
+    if not aim.on:
+        # (d): a foul after a red, before a colour was nominated.
+        found = [Foul(foul.note, MOST) for foul in found]
+    return tuple(sorted(found, key=lambda foul: -foul.worth))
+
+
+def penalty(found: tuple[Foul, ...]) -> int:
+    """3.10, 3.11 (g): of several fouls the dearest counts, and it is four at least."""
+    return max((LEAST, *(foul.worth for foul in found)))
+
+
+def missed(found: tuple[Foul, ...]) -> bool:
+    """Whether the stroke failed to hit a ball on first."""
+    return any(foul.note.key in ("foul.no-hit", "foul.wrong-ball") for foul in found)
+
+
+def scored(report: Report, aim: Aim) -> int:
+    """The points of a stroke without foul.
+
+    3.3 (f): every red, and a free ball as a red. 3.3 (g): a colour. 3.12 (c)-(e): a free ball counts as the ball
+    on, and not at all where that, no red, falls too.
+    """
+    down = [ball for ball in report.potted if ball in aim.on]
+    freed = aim.free in report.potted
+    if aim.worth == 1:
+        return len(down) + freed
+    return aim.worth if down or freed else 0
+
+
+def _hit(report: Report, aim: Aim) -> Iterator[Foul]:
+    """What was hit first.
+
+    3.8 (c): to play away from a touching ball that is on is to have hit it. 3.12 (b): a free ball must be hit first,
+    or with a ball on. 3.10 (c): two balls at once must be reds, or the free ball and a ball on.
+    """
+    if not aim.free and set(report.touching) & set(aim.on):
+        return
+    if not report.first:
+        yield Foul(Note("foul.no-hit"), aim.worth)
+        return
+    wrong = [ball for ball in report.first if ball not in (*aim.on, aim.free)]
+    if len(report.first) > 1:
+        free_and_on = aim.free in report.first and not wrong and len(set(report.first) & set(aim.on)) == 1
+        if not free_and_on and any(ball in COLORS for ball in report.first):
+            yield Foul(Note("foul.two-at-once"), max(aim.worth, *map(value, report.first)))
+    elif not set(report.first) & set(aim.first):
+        yield Foul(Note("foul.wrong-ball", ball=report.first[0]), max(aim.worth, value(report.first[0])))
+
+
+def _lost(report: Report, aim: Aim) -> Iterator[Foul]:
+    """3.10 (a): the cue ball falls. (b): a ball not on falls, or any ball is forced off the table."""
+    if report.scratch:
+        yield Foul(Note("foul.scratch"), aim.worth)
+    if report.cue_off:
+        yield Foul(Note("foul.cue-off"), aim.worth)
+    for ball in report.potted:
+        if ball not in aim.on and ball != aim.free:
+            yield Foul(Note("foul.potted", ball=ball), max(aim.worth, value(ball)))
+    for ball in report.off:
+        yield Foul(Note("foul.off", ball=ball), max(aim.worth, value(ball)))
+
+
+def _pushed(report: Report, aim: Aim) -> Iterator[Foul]:
+    """3.10 (b): a push stroke, at a touching ball too (3.8 b). The tip still on the cue ball is one (2.19)."""
+    pushed: Collection[str] = report.pressed
+    if not pushed and any(fault in ("push", "double-hit") for fault in report.stroke):
+        pushed = report.first or ("",)
+    for ball in pushed:
+        yield Foul(Note("foul.push"), max(aim.worth, value(ball)))
+
+
+def _hidden(table: Table, layout: Layout, report: Report, aim: Aim) -> Iterator[Foul]:
+    """3.10 (a), 3.12 (b): the free ball snookers, unless only the pink and the black are left."""
+    left = {ball.id for ball in layout.on_table()} - {report.cue}
+    on = [ball for ball in aim.on if ball in left]
+    if on and left != {"pink", "black"} and snookering(table, layout, layout[report.cue], on) == aim.free:
+        yield Foul(Note("foul.free-snooker", ball=aim.free), aim.worth)

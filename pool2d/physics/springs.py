@@ -1,0 +1,238 @@
+"""The contacts of a cluster, as the springs that they are: two balls, and a ball in a cushion.
+
+A spring keeps its place and normal; `depth` is how far the two are pressed into each other, negative while
+there is a gap, and `met` tells whether it has ever closed. `press` works out what a step gives the balls
+and `act` gives it, so that all springs of a step see the same moment and their order is of no consequence.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import TYPE_CHECKING, Protocol
+
+from .balls import FRICTION, normal, push, slip
+from .cushions import NOSES, along_nose, rate
+from .gentle import rebound
+
+if TYPE_CHECKING:
+    from .detect import Element
+    from .motion import Body
+    from .params import Physics
+
+# Stiffness of two pool balls, N/m^1.5, and the radius it was worked out for (Marlow; Alciatore TP B.29).
+STIFFNESS, RADIUS = 8.06e8, 0.028575
+# Stiffness of a cushion, N/m: a pool ball stays in it for 4 ms, twenty times as long as on another ball.
+# What comes out depends on it only in that it is much softer than a ball.
+RUBBER = 1.05e5
+# Steps in the duration of one impact at the speed of approach.
+STEPS = 60
+# A cushion that has relaxed to this part of its greatest force, and is being left, lets go.
+_SPENT = 1e-9
+
+
+class Spring(Protocol):
+    """One contact of a cluster."""
+
+    depth: float
+    met: bool
+
+    @property
+    def balls(self) -> tuple[Body, ...]: ...
+
+    def pace(self, fine: float, coarse: float) -> float:
+        """How long the next step may be, s."""
+        ...
+
+    def press(self, dt: float) -> None:
+        """Let the depth run for a step and work out the impulse that it brings."""
+        ...
+
+    def act(self) -> None:
+        """Give the balls that impulse."""
+        ...
+
+
+class BallSpring:
+    """Two balls: F = K d^1.5 with a loss, and friction.
+
+    `slip` is the fastest so far: it sets the friction of the whole impact, as it does for two balls alone.
+    """
+
+    __slots__ = ("a", "b", "n", "depth", "met", "slip", "stiffness", "loss", "physics", "friction", "impulse")
+
+    def __init__(self, a: Body, b: Body, gap: float, loss: float, physics: Physics) -> None:
+        self.a = a
+        self.b = b
+        self.n = normal(a, b)
+        self.depth = -gap
+        self.met = False
+        self.slip = 0.0
+        # Springs of Hertz: K goes with the root of the effective radius.
+        self.stiffness = stiffness(a, b)
+        self.loss = loss * math.sqrt(self.stiffness * a.mass * b.mass / (a.mass + b.mass))
+        self.physics = physics
+        self.friction = FRICTION[physics.ball.law]
+        self.impulse: tuple[float, float, float, float] | None = None
+
+    @property
+    def balls(self) -> tuple[Body, ...]:
+        return self.a, self.b
+
+    def pace(self, fine: float, coarse: float) -> float:
+        if self.depth > 0.0:
+            return fine
+        closing = self._closing()
+        # Into the contact, not to its very edge, where rounding would tell whether it is closed.
+        return min(coarse, 0.5 * fine - self.depth / closing) if closing > 0.0 else coarse
+
+    def press(self, dt: float) -> None:
+        closing = self._closing()
+        self.depth = d = self.depth + closing * dt
+        self.impulse = None
+        if d <= 0.0:
+            return
+        self.met = True
+        root = math.sqrt(d)
+        along = dt * (self.stiffness * d * root + self.loss * math.sqrt(root) * closing)
+        if along > 0.0:
+            self.impulse = (along, *self._rub(closing, along))
+
+    def act(self) -> None:
+        if self.impulse is not None:
+            push(self.a, self.b, self.n, *self.impulse)
+
+    def _closing(self) -> float:
+        a, b, n = self.a, self.b, self.n
+        return (a.vx - b.vx) * n[0] + (a.vy - b.vy) * n[1]
+
+    def _rub(self, closing: float, along: float) -> tuple[float, float, float]:
+        """The friction of a step: Coulomb's, or what ends the slip."""
+        a, b = self.a, self.b
+        sx, sy, sz = slip(a, b, self.n, closing)
+        size = math.sqrt(sx * sx + sy * sy + sz * sz)
+        if size == 0.0:
+            return 0.0, 0.0, 0.0
+        self.slip = max(self.slip, size)
+        limit = self.friction(self.slip, self.physics) * along
+        rub = -min(limit / size, 1.0 / (3.5 * (1.0 / a.mass + 1.0 / b.mass)))
+        return rub * sx, rub * sy, rub * sz
+
+
+class NoseSpring:
+    """A ball in a cushion: a linear spring in plan that gives back e^2 of the work it took, with friction.
+
+    On the way out it follows k D (d/D)^q from its greatest depth D, with q = 2/e^2 - 1 for that part of
+    the work, and whatever the speed: so a ball alone comes off as `mathavan2010` has it. `share` is how
+    many cushions the ball is in, which together must not hold it by more than one would.
+    """
+
+    __slots__ = ("ball", "nx", "ny", "name", "depth", "met", "share", "nose",
+                 "stiffness", "deepest", "power", "change")  # fmt: skip
+
+    def __init__(self, ball: Body, element: Element, gap: float, share: int, physics: Physics) -> None:
+        self.ball = ball
+        self.nx, self.ny = element.normal(ball.x, ball.y)
+        self.name = element.name
+        self.depth = -gap
+        self.met = False
+        self.share = share
+        self.nose = NOSES[physics.cushion.law](ball.radius, physics)
+        self.stiffness = RUBBER / ball.mass
+        self.deepest = 0.0
+        self.power = 0.0
+        self.change: tuple[float, float, float, float, float] | None = None
+
+    @property
+    def balls(self) -> tuple[Body, ...]:
+        return (self.ball,)
+
+    def pace(self, fine: float, coarse: float) -> float:
+        return coarse
+
+    def press(self, dt: float) -> None:
+        ball = self.ball
+        state = along_nose(ball, self.nx, self.ny)
+        self.depth = d = self.depth + state[1] * dt
+        self.change = None
+        if d <= 0.0:
+            self.deepest = 0.0
+            return
+        self.met = True
+        force = self._force(d)
+        if state[1] < 0.0 and force < _SPENT * self.stiffness * self.deepest:
+            self.depth = self.deepest = 0.0
+            return
+        # The nose stands above the centre: what it gives in plan is less than what it presses with.
+        step = force * dt / self.nose.cos
+        dvx, dvy, dqx, dqy, dqz = rate(state, self.nose, self.share * step)
+        self.change = step * dvx, step * dvy, step * dqx, step * dqy, step * dqz
+
+    def _force(self, depth: float) -> float:
+        """In plan and per mass."""
+        if depth >= self.deepest:
+            self.deepest = depth
+            self.power = 0.0
+            return self.stiffness * depth
+        if self.power == 0.0:
+            speed = self.deepest * math.sqrt(self.stiffness)
+            self.power = 2.0 * (speed / rebound(speed, self.nose.restitution)) ** 2 - 1.0
+        return self.stiffness * self.deepest * math.pow(depth / self.deepest, self.power)
+
+    def act(self) -> None:
+        if self.change is None:
+            return
+        ball, nx, ny = self.ball, self.nx, self.ny
+        vx, vy, qx, qy, qz = self.change
+        ball.vx += vx * ny + vy * nx
+        ball.vy += vy * ny - vx * nx
+        ball.wx += (qx * ny + qy * nx) / ball.radius
+        ball.wy += (qy * ny - qx * nx) / ball.radius
+        ball.wz += qz / ball.radius
+
+
+def stiffness(a: Body, b: Body) -> float:
+    """K of the contact of two balls of the same stuff, N/m^1.5."""
+    return STIFFNESS * math.sqrt(2.0 * a.radius * b.radius / ((a.radius + b.radius) * RADIUS))
+
+
+def depth(a: Body, b: Body, speed: float) -> float:
+    """How deep two balls press into each other that meet at `speed`: (5 m v^2 / (4 K))^0.4."""
+    mass = a.mass * b.mass / (a.mass + b.mass)
+    return math.pow(1.25 * mass * speed * speed / stiffness(a, b), 0.4)
+
+
+def duration(a: Body, b: Body, speed: float) -> float:
+    """How long an impact of two balls at `speed` lasts, s: 3.218 (m^2 / (K^2 v))^0.2."""
+    mass = a.mass * b.mass / (a.mass + b.mass)
+    return 3.218 * math.pow(mass * mass / (stiffness(a, b) ** 2 * speed), 0.2)
+
+
+def yielding(ball: Body, speed: float) -> float:
+    """How far a cushion gives way to a ball that meets it at `speed`, m."""
+    return speed * math.sqrt(ball.mass / RUBBER)
+
+
+def stay(ball: Body) -> float:
+    """How long a ball is in a cushion, s."""
+    return math.pi * math.sqrt(ball.mass / RUBBER)
+
+
+@cache
+def damping(restitution: float) -> float:
+    """The loss, in units of sqrt(m K), that gives a lone pair this restitution, or 0.01 for less: by halving."""
+    lo, hi = 0.0, 10.0
+    for _ in range(40):
+        middle = 0.5 * (lo + hi)
+        lo, hi = (middle, hi) if _restitution(middle) > restitution else (lo, middle)
+    return 0.5 * (lo + hi)
+
+
+def _restitution(loss: float) -> float:
+    """Of a lone pair with that loss, in units where mass, stiffness and speed are one."""
+    depth, speed, dt = 0.0, 1.0, 3.218 / STEPS
+    while True:
+        depth += speed * dt
+        if depth <= 0.0:
+            return -speed
+        speed -= dt * max(0.0, depth**1.5 + loss * depth**0.25 * speed)

@@ -1,0 +1,115 @@
+"""The picture of the table behind everything, as any camera sees it, kept sharp without holding anything up."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Hashable
+
+import pygame
+
+from ..table import Table
+from . import table_art, theme
+from .view import View
+
+# So many frames after the last change the picture is drawn in full.
+_REST = 8
+# What is seen from nearer is cut out of a picture this many times as large.
+_NEAR = 2
+
+
+class Background:
+    """Shows the table: the whole of it, or a part cut out of a larger picture that is drawn once it is needed."""
+
+    def __init__(self) -> None:
+        self._whole = _Whole()
+        self._made: Hashable = None
+        self._large: tuple[pygame.Surface, View] | None = None
+        self._seen: Hashable = None
+        self._part = pygame.Surface((1, 1))
+
+    @property
+    def settled(self) -> bool:
+        """Whether the picture is drawn in full."""
+        return self._whole.settled
+
+    def show(self, surface: pygame.Surface, table: Table, home: View, view: View) -> None:
+        """Fill the surface with the table as `view` has it; `home` is the view of the whole of it."""
+        size = surface.get_size()
+        whole = self._whole.take(table, size, home)
+        if view == home:
+            surface.blit(whole, (0, 0))
+            return
+        given = (whole, home)
+        if self.settled:
+            made = (table_art.content(table), size, home)
+            if made != self._made or self._large is None:
+                near = home.zoomed(_NEAR)
+                self._large = table_art.draw(table, (size[0] * _NEAR, size[1] * _NEAR), near), near
+                self._made = made
+            given = self._large
+        seen = (id(given[0]), view)
+        if seen != self._seen:
+            self._part = _cut(*given, size, view)
+            self._seen = seen
+        surface.blit(self._part, (0, 0))
+
+
+class _Whole:
+    """The picture of the whole table; while the window or the table is being changed, a quick one in its place."""
+
+    def __init__(self) -> None:
+        self._made: Hashable = None
+        self._picture: pygame.Surface | None = None
+        # The last one drawn in full, which is what gets stretched, and its view.
+        self._full: tuple[pygame.Surface, View] | None = None
+        self._waiting = 0
+
+    @property
+    def settled(self) -> bool:
+        return not self._waiting
+
+    def take(self, table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
+        """The picture for this frame."""
+        made = (table_art.content(table), size, view)
+        if made != self._made:
+            self._change(table, size, view)
+            self._made = made
+        elif self._waiting:
+            self._waiting -= 1
+            if not self._waiting:
+                self._take(table_art.draw(table, size, view), view)
+        assert self._picture is not None
+        return self._picture
+
+    def _change(self, table: Table, size: tuple[int, int], view: View) -> None:
+        """Take a picture that is there already, or else a quick one until things rest."""
+        ready = table_art.kept(table, size, view) if self._picture else table_art.draw(table, size, view)
+        self._waiting = 0 if ready else _REST
+        if ready:
+            self._take(ready, view)
+        elif self._full and isinstance(self._made, tuple) and self._made[0] == table_art.content(table):
+            self._picture = _cut(*self._full, size, view)
+        else:
+            self._full = None
+            self._picture = table_art.draft(table, size, view)
+
+    def _take(self, picture: pygame.Surface, view: View) -> None:
+        self._picture = picture
+        self._full = (picture, view)
+
+
+def _cut(picture: pygame.Surface, given: View, size: tuple[int, int], view: View) -> pygame.Surface:
+    """What `view` shows on a surface of `size`, scaled out of a picture drawn in the view `given`."""
+    factor = view.scale / given.scale
+    left, top = given.to_screen(*view.to_table(0.0, 0.0))
+    right, bottom = given.to_screen(*view.to_table(float(size[0]), float(size[1])))
+    box = pygame.Rect(math.floor(left), math.floor(top), 0, 0)
+    box.width, box.height = math.ceil(right) - box.left, math.ceil(bottom) - box.top
+    box = box.clip(picture.get_rect())
+    part = pygame.Surface(size).convert() if pygame.display.get_surface() else pygame.Surface(size)
+    part.fill(theme.BACKGROUND)
+    scaled = pygame.transform.smoothscale(
+        picture.subsurface(box), (round(box.width * factor), round(box.height * factor))
+    )
+    part.blit(scaled, (round((box.left - left) * factor), round((box.top - top) * factor)))
+    return part

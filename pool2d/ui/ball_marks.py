@@ -1,0 +1,124 @@
+"""What is printed on balls: numbers and shapes, as small pictures of how much ink there is."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+import pygame
+
+from . import text
+
+Picture = npt.NDArray[np.float32]
+Indices = npt.NDArray[np.intp]
+Spots = list[tuple[float, float]]
+
+# A picture reaches this far from its middle, in radii of the ball, and its ink as far.
+REACH, INKED = 0.6, 0.54
+# The box that digits fill, in radii: their height, and the greatest width.
+_TALL, _WIDE = 0.66, 0.70
+# Pictures are first drawn this large, in pixels.
+_LARGE = 96
+_BOLD = 2
+
+
+def _ring(corners: int, size: float, turned: float = 0.0, waist: float = 1.0) -> Spots:
+    """A polygon round the middle; with a waist below 1, a star."""
+    count = corners * (1 if waist == 1.0 else 2)
+    angles = (math.tau * (i / count + turned) - math.pi / 2.0 for i in range(count))
+    sizes = (size * (waist if i % 2 else 1.0) for i in range(count))
+    return [(r * math.cos(a), r * math.sin(a)) for r, a in zip(sizes, angles, strict=True)]
+
+
+def _box(x: float, y: float, width: float, height: float) -> Spots:
+    return [
+        (x - width / 2, y - height / 2), (x + width / 2, y - height / 2),
+        (x + width / 2, y + height / 2), (x - width / 2, y + height / 2),
+    ]  # fmt: skip
+
+
+_PLUS = [_box(0.0, 0.0, 0.9, 0.26), _box(0.0, 0.0, 0.26, 0.9)]
+# The shape that marks each colour, in radii: polygons filled one after the other. Red and white are plain.
+SHAPES: dict[str, list[Spots]] = {
+    "yellow": [_ring(3, 0.5)],
+    "blue": _PLUS,
+    "purple": [_box(0.0, y, 0.84, 0.17) for y in (-0.3, 0.0, 0.3)],
+    "orange": [[(x * 0.7 - y * 0.7, x * 0.7 + y * 0.7) for x, y in part] for part in _PLUS],
+    "green": [_box(0.0, 0.0, 0.72, 0.72)],
+    "maroon": [_box(-0.24, 0.0, 0.24, 0.84), _box(0.24, 0.0, 0.24, 0.84)],
+    "black": [_ring(5, 0.54, 0.0, 0.42)],
+    "brown": [_ring(4, 0.46, 0.0)],
+    "pink": [_ring(24, 0.42)],
+}
+# The shape that is a ring has a hole.
+_HOLES = {"pink": _ring(24, 0.22)}
+
+
+@lru_cache(maxsize=256)
+def picture(mark: str, texels: int) -> Picture:
+    """The ink of a number, or of the shape of a colour, from 0 to 1: row by row, downward; its edge is empty."""
+    large = _shape(mark) if mark in SHAPES else _number(mark)
+    small = pygame.transform.smoothscale(large, (texels, texels))
+    ink = pygame.surfarray.array_red(small).T.astype(np.float32) / np.float32(255.0)
+    ink[[0, -1]] = 0.0
+    ink[:, [0, -1]] = 0.0
+    return ink
+
+
+def texels(radius: float) -> int:
+    """How large pictures should be for a ball of `radius` pixels: somewhat finer than the pixels."""
+    return max(8, math.ceil(2.0 * REACH * radius / 0.75) + 2)
+
+
+def sample(pictures: Picture, which: Indices, right: Picture, up: Picture) -> Picture:
+    """The ink at points of some pictures, in radii from their middles, mixed from the four nearest texels."""
+    count = pictures.shape[1]
+    column, row = ((part / REACH + 1.0) * (count / 2.0) - 0.5 for part in (right, -up))
+    left, top = (np.clip(part, 0, count - 2).astype(np.intp) for part in (column, row))
+    across, down = np.clip(column - left, 0.0, 1.0), np.clip(row - top, 0.0, 1.0)
+    flat, at = pictures.reshape(-1), (which * count + top) * count + left
+    above = flat[at] * (1.0 - across) + flat[at + 1] * across
+    at += count
+    below = flat[at] * (1.0 - across) + flat[at + 1] * across
+    ink = above * (1.0 - down) + below * down
+    # Mixing blurs: what is half ink stays, more and less part.
+    sharp: Picture = np.clip((ink - 0.5) * 1.35 + 0.5, 0.0, 1.0).astype(np.float32)
+    return sharp
+
+
+def _shape(name: str) -> pygame.Surface:
+    large = pygame.Surface((_LARGE, _LARGE), depth=32)
+    for parts, color in ((SHAPES[name], (255, 255, 255)), ([_HOLES[name]] if name in _HOLES else [], (0, 0, 0))):
+        for part in parts:
+            pygame.draw.polygon(
+                large, color, [((x / REACH + 1) * _LARGE / 2, (y / REACH + 1) * _LARGE / 2) for x, y in part]
+            )
+    return large
+
+
+def _number(digits: str) -> pygame.Surface:
+    """The digits as large as the box lets them be; 6 and 9 stand on a line that tells them apart."""
+    large = pygame.Surface((_LARGE, _LARGE), depth=32)
+    written = text.font(_LARGE).render(digits, True, (255, 255, 255), (0, 0, 0))
+    written = written.subsurface(_ink_box(written))
+    unit = _LARGE / (2.0 * REACH)
+    factor = min(_TALL * unit / written.get_height(), _WIDE * unit / written.get_width())
+    lined = digits in ("6", "9")
+    factor *= 0.9 if lined else 1.0
+    width, height = round(written.get_width() * factor), round(written.get_height() * factor)
+    left, top = (_LARGE - width) // 2, (_LARGE - height) // 2 - (round(0.06 * unit) if lined else 0)
+    scaled = pygame.transform.smoothscale(written.convert(large), (width, height))
+    # The font's strokes are made bolder: they have to be read when they are a pixel wide.
+    for x, y in ((-_BOLD, 0), (_BOLD, 0), (0, -_BOLD), (0, _BOLD)):
+        large.blit(scaled, (left + x, top + y), special_flags=pygame.BLEND_RGB_MAX)
+    if lined:
+        large.fill((255, 255, 255), (left, top + height + round(0.06 * unit), width, round(0.08 * unit)))
+    return large
+
+
+def _ink_box(written: pygame.Surface) -> pygame.Rect:
+    ink = pygame.surfarray.array3d(written)[..., 0] > 100
+    columns, rows = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
+    return pygame.Rect(columns[0], rows[0], columns[-1] - columns[0] + 1, rows[-1] - rows[0] + 1)

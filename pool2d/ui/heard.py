@@ -1,0 +1,83 @@
+"""What is to be heard of a rollout: which kind of sound, how hard, and where on the table."""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from typing import NamedTuple
+
+from ..physics.rollout import Event, Rollout
+from ..physics.values import Ball
+
+# A longer step of time than this, s, is a jump and not play.
+_JUMP = 1.0
+# Of a cluster only the strongest pairs are heard.
+_PAIRS = 4
+# What a ball falls by at a pocket gives it this speed, m/s, however slowly it came.
+_FALL = 1.4
+
+
+class Heard(NamedTuple):
+    """A sound: its kind (see `synth.KINDS`), the speed of the contact, m/s, and its x on the table, m."""
+
+    kind: str
+    speed: float
+    x: float
+
+
+def heard(rollout: Rollout, t0: float, t1: float) -> list[Heard]:
+    """The sounds of the events in (t0, t1]: none where time stands, runs backward or jumps.
+
+    The stroke is at 0, so a `t0` below 0 hears it.
+    """
+    if not t0 < t1 <= max(t0, 0.0) + _JUMP:
+        return []
+    events = rollout.events
+    first, last = (bisect_right(events, t, key=lambda event: event.t) for t in (t0, t1))
+    return [sound for event in events[first:last] for sound in _sounds(event)]
+
+
+def _sounds(event: Event) -> list[Heard]:
+    if event.pairs or event.rails:
+        return [*_balls(event), *_cushions(event)]
+    if event.kind == "cue_ball":
+        ball = event.after[event.balls[0]]
+        return [Heard(event.where or "cue", math.hypot(ball.vx, ball.vy), ball.x)]
+    if event.kind == "ball_pocket":
+        ball = event.before[event.balls[0]]
+        return [Heard("drop", math.hypot(ball.vx, ball.vy, _FALL), ball.x), Heard("back", 1.0, ball.x)]
+    return []
+
+
+def _balls(event: Event) -> list[Heard]:
+    """A knock for each pair of balls that touched, at most a few.
+
+    It is as hard as the faster of their approach and half of what changed of it: the second is what
+    tells for balls that touched before.
+    """
+    before, after = event.before, event.after
+    sounds = []
+    for one, other in event.pairs:
+        a, b = before[one], before[other]
+        approach, change = _approach(a, b), _approach(a, b) - _approach(after[one], after[other])
+        sounds.append(Heard("ball", max(approach, 0.5 * change, 0.0), 0.5 * (a.x + b.x)))
+    sounds.sort(key=lambda sound: -sound.speed)
+    return sounds[:_PAIRS]
+
+
+def _cushions(event: Event) -> list[Heard]:
+    """A thud for each ball that met a cushion, be it two at once."""
+    before, after = event.before, event.after
+    met = dict.fromkeys(name for name, _ in event.rails)
+    return [Heard("cushion", _blow(before[name], after[name]), before[name].x) for name in met]
+
+
+def _approach(a: Ball, b: Ball) -> float:
+    """How fast two balls near each other, m/s."""
+    dx, dy = b.x - a.x, b.y - a.y
+    return ((a.vx - b.vx) * dx + (a.vy - b.vy) * dy) / math.hypot(dx, dy)
+
+
+def _blow(before: Ball, after: Ball) -> float:
+    """How hard a cushion was met, m/s: half of what it changed, which is little less than the speed across it."""
+    return 0.5 * math.hypot(after.vx - before.vx, after.vy - before.vy)

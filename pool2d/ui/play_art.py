@@ -1,0 +1,101 @@
+"""What the table being played on looks like: the scene's state on a surface, from the cloth up."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pygame
+
+from ..physics.strike import hop
+from . import cue_art, hud, stroke, theme, trail, vectors
+from .debug import ScreenPen, draw_geometry
+from .words import say
+
+if TYPE_CHECKING:
+    from .play import Play
+
+# From this height on, m, the player is told that a real ball would leave the cloth.
+_HOP = 0.005
+
+
+def draw(surface: pygame.Surface, play: Play) -> None:
+    """Draw the whole window."""
+    screen = hud.Screen(*surface.get_size())
+    panel = play.tuning.width(screen) if play.tuning is not None else 0
+    play.stage.begin(surface, play.session.table, panel)
+    if play.playback is None:
+        _at_rest(surface, play)
+    else:
+        _in_motion(surface, play)
+    if play.geometry:
+        draw_geometry(ScreenPen(surface, play.stage.view), play.session.table)
+    if play.vectors:
+        _vectors(surface, play)
+    _bars(surface, play)
+    if play.playback is not None and play.playback.review:
+        play.timeline.place(screen, panel)
+        play.timeline.draw(surface, play.playback, play.session.table)
+    if play.tuning is not None:
+        play.tuning.draw(surface)
+
+
+def hop_note(play: Play, speed: float) -> str:
+    """What to say of a stroke so steep and hard that a real ball would leave the cloth."""
+    if play.hands.aim.elevation == 0.0 or play.playback is not None or play.session.in_hand:
+        return ""
+    knobs = play.session.table.knobs
+    apex = hop(play.hands.aim.shot("", speed), play.session.table.body_of(play.session.cue)[1], knobs)[1]
+    if apex < _HOP:
+        return ""
+    return say("play.hop", height=f"{1000.0 * apex:.0f} mm")
+
+
+def _at_rest(surface: pygame.Surface, play: Play) -> None:
+    """The balls as they lie, the guide, and the cue or the ball in hand."""
+    session, stage, hands = play.session, play.stage, play.hands
+    if play.tuning is not None and hands.pull is None:
+        stage.ways(surface, play.tuning)
+    elif not session.in_hand and hands.speed > 0.0:
+        stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
+    stage.balls(surface, session.layout, session.rollout)
+    if session.in_hand:
+        x, y = play.in_hand.where(session)
+        stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
+    else:
+        cue_art.draw(surface, session.table, session.cue, hands.aim, stroke.stand(hands.drawn), stage.view)
+
+
+def _in_motion(surface: pygame.Surface, play: Play) -> None:
+    """The balls of a shot at its moment, their trails, and the cue that struck."""
+    shown, stage, table = play.playback, play.stage, play.session.table
+    assert shown is not None
+    if play.effects.trail:
+        trail.draw(surface, shown.rollout, shown.time, table, stage.view)
+    stage.balls(surface, shown.rollout.at(shown.time), shown.rollout, shown.time)
+    if play.effects.stroke and shown.shot is not None:
+        stroke.draw(surface, table, shown.rollout.start[shown.shot.ball], shown.shot, shown.time, stage.view)
+
+
+def _vectors(surface: pygame.Surface, play: Play) -> None:
+    """The arrows of what is shown; that of the cue before a stroke."""
+    session, stage, shown = play.session, play.stage, play.playback
+    vectors.draw(surface, session.layout if shown is None else shown.rollout.at(shown.time), session.table, stage.view)
+    if shown is None and not session.in_hand:
+        shot = play.hands.aim.shot(session.cue.id, play.hands.speed)
+        vectors.draw_cue(surface, session.cue, shot, session.table, stage.view)
+    elif shown is not None and shown.shot is not None and shown.time <= 0.0:
+        start = shown.rollout.start[shown.shot.ball]
+        vectors.draw_cue(surface, start, shown.shot, session.table, stage.view)
+    vectors.draw_legend(surface, stage.screen)
+
+
+def _bars(surface: pygame.Surface, play: Play) -> None:
+    session, screen, hands = play.session, play.stage.screen, play.hands
+    shot = say("play.shot", number=session.position.shots + 1)
+    note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
+    hud.draw_bars(surface, screen, session.table.title, note)
+    play.stage.tray(surface)
+    hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)
+    wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
+    message = wrong or f"{play.message} {hop_note(play, hands.speed)}".strip()
+    hud.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT)

@@ -1,0 +1,81 @@
+"""Pictures that were looked at and found good, to compare with: `python -m tests.ui.golden` draws them anew.
+
+Look at what it changed before committing it. A scene is one entry of SCENES; with `check` a test compares a
+scene's picture with the one in golden/, and a failure leaves both and their difference side by side.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
+
+import numpy as np
+import numpy.typing as npt
+import pygame
+
+from pool2d import load_table
+from pool2d.catalogue import TABLES, shipped
+from pool2d.ui import table_art
+from pool2d.ui.view import fit
+
+SIZE = (640, 360)
+FOLDER = Path(__file__).parent / "golden"
+# Levels of 255: what the mean pixel may differ by, and all but one pixel in two thousand.
+MEAN, MOST, FEW = 1.0, 24.0, 0.0005
+
+
+def empty(name: str) -> pygame.Surface:
+    """A table without balls, as large as the picture."""
+    table = load_table(name)
+    size = table.knobs.table
+    return table_art.draw(table, SIZE, fit(size.length, size.width, (0, 0, *SIZE)))
+
+
+SCENES: dict[str, Callable[[], pygame.Surface]] = {
+    **{name: lambda name=name: empty(name) for name in shipped(TABLES)},  # type: ignore[misc]
+}
+
+
+def check(scene: str, out: Path, folder: Path = FOLDER) -> str:
+    """What is wrong with a scene's picture, or nothing; then `out` has expected, actual and difference in it."""
+    actual = _pixels(SCENES[scene]())
+    expected = _pixels(pygame.image.load(folder / f"{scene}.png"))
+    if actual.shape != expected.shape:
+        return f"{scene} is {actual.shape[:2]} pixels large, not {expected.shape[:2]}"
+    off = np.abs(actual - expected)
+    mean, far = float(off.mean()), float(np.quantile(off.max(axis=2), 1.0 - FEW))
+    if mean <= MEAN and far <= MOST:
+        return ""
+    path = out / f"{scene}.png"
+    # Four times as strong, for the eye.
+    _save(np.concatenate([expected, actual, np.minimum(4.0 * off, 255.0)]), path)
+    return (
+        f"{scene} differs by {mean:.2f} levels in the mean (allowed {MEAN:g}) and by {far:.0f} at its worst "
+        f"(allowed {MOST:g}); expected, actual and difference, left to right: {path}"
+    )
+
+
+def draw_all() -> None:
+    """Draw every scene anew, and remove pictures of scenes that are no more."""
+    FOLDER.mkdir(exist_ok=True)
+    for path in FOLDER.glob("*.png"):
+        if path.stem not in SCENES:
+            path.unlink()
+    for scene, draw in SCENES.items():
+        pygame.image.save(draw(), FOLDER / f"{scene}.png")
+        print(FOLDER / f"{scene}.png")
+
+
+def _pixels(picture: pygame.Surface) -> npt.NDArray[np.float64]:
+    return np.asarray(pygame.surfarray.array3d(picture), np.float64)
+
+
+def _save(pixels: npt.NDArray[np.float64], path: Path) -> None:
+    pygame.image.save(pygame.surfarray.make_surface(pixels.astype(np.uint8)), path)
+
+
+if __name__ == "__main__":
+    draw_all()

@@ -1,0 +1,90 @@
+"""The table's picture behind everything: sharp at rest, and true while the window or the table changes."""
+
+from __future__ import annotations
+
+import pygame
+import pytest
+
+from pool2d import Table, load_table
+from pool2d.ui import table_art
+from pool2d.ui.background import Background
+from pool2d.ui.view import View, fit
+
+TABLE = load_table("english-7ft")
+
+
+@pytest.fixture
+def drawn(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
+    """The sizes of the pictures drawn in full; none is kept from before."""
+    sizes: list[tuple[int, int]] = []
+    full = table_art.draw
+
+    def draw(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
+        sizes.append(size)
+        return full(table, size, view)
+
+    monkeypatch.setattr(table_art, "draw", draw)
+    monkeypatch.setattr(table_art, "kept", lambda *_: None)
+    return sizes
+
+
+def shown(background: Background, width: int, table: Table = TABLE) -> tuple[pygame.Surface, View]:
+    """A frame of a window of that width, and its view."""
+    surface = pygame.Surface((width, width * 9 // 16))
+    view = fit(1.83, 0.915, (0, 0, *surface.get_size()))
+    background.show(surface, table, view, view)
+    return surface, view
+
+
+def test_a_window_being_dragged_waits_for_no_picture_and_gets_one_at_rest(drawn: list[tuple[int, int]]) -> None:
+    background = Background()
+    for width in (320, 352, 384, 416):
+        picture, view = shown(background, width)
+        # Quick or not, pockets and cloth are where they belong.
+        for pocket in TABLE.geometry.pockets:
+            x, y = view.to_screen(pocket.x, pocket.y)
+            assert max(picture.get_at((round(x), round(y)))[:3]) < 40
+        x, y = view.to_screen(0.9, 0.45)
+        assert picture.get_at((round(x), round(y)))[2] > 100
+    assert drawn == [(320, 180)]
+    for _ in range(60):
+        picture, view = shown(background, 416)
+    assert drawn == [(320, 180), (416, 234)]
+    full = table_art.draw(TABLE, (416, 234), view)
+    assert pygame.image.tobytes(picture, "RGB") == pygame.image.tobytes(full, "RGB")
+
+
+def test_a_table_being_changed_is_shown_as_it_is_at_once(drawn: list[tuple[int, int]]) -> None:
+    background = Background()
+    shown(background, 480)
+    wide = TABLE.with_knobs({"corner.mouth": 0.12, "corner.drop_radius": 0.075})
+    picture, view = shown(background, 480, wide)
+    assert drawn == [(480, 270)]
+    pocket = wide.geometry.pockets[0]
+    old = TABLE.geometry.pockets[0]
+    x, y = view.to_screen(pocket.x, pocket.y - pocket.radius + 0.008)
+    assert old.y - old.radius > pocket.y - pocket.radius + 0.02
+    assert max(picture.get_at((round(x), round(y)))[:3]) < 60
+
+
+def test_what_does_not_show_changes_no_picture(drawn: list[tuple[int, int]]) -> None:
+    background = Background()
+    first, _ = shown(background, 320)
+    second, _ = shown(background, 320, TABLE.with_knobs({"cloth.mu_roll": 0.02}))
+    assert drawn == [(320, 180)]
+    assert pygame.image.tobytes(first, "RGB") == pygame.image.tobytes(second, "RGB")
+
+
+def test_from_nearer_it_is_cut_out_of_a_larger_picture(drawn: list[tuple[int, int]]) -> None:
+    background = Background()
+    _, home = shown(background, 480)
+    surface = pygame.Surface((480, 270))
+    for scale in (1.5, 2.0, 3.0):
+        near = View(home.scale * scale, 240.0 - 0.9 * home.scale * scale, 135.0 + 0.45 * home.scale * scale)
+        background.show(surface, TABLE, home, near)
+        pocket = max(TABLE.geometry.pockets, key=lambda hole: -abs(hole.x - 0.9))
+        x, y = near.to_screen(pocket.x, pocket.y)
+        if surface.get_rect().collidepoint(x, y):
+            assert max(surface.get_at((round(x), round(y)))[:3]) < 40
+        assert surface.get_at((240, 135))[2] > 100
+    assert drawn == [(480, 270), (960, 540)]

@@ -1,0 +1,77 @@
+"""Pictures kept on disk: found again, never trusted when damaged, never in the way."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from pool2d import load_table
+from pool2d.ui import cache, table_art
+from pool2d.ui.view import View, fit
+
+SIZE = (160, 90)
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("POOL2D_CACHE", str(tmp_path / "kept"))
+    return tmp_path / "kept"
+
+
+def test_what_is_saved_is_loaded(place: Path) -> None:
+    assert cache.load("a", 3) is None
+    cache.save("a", b"xyz")
+    assert cache.load("a", 3) == b"xyz"
+    assert [path.name for path in place.iterdir()] == ["a.pixels"]
+
+
+@pytest.mark.parametrize("content", [b"", b"x", b"xyz", b"xyzabcd", b"xyz" * 1000])
+def test_a_damaged_picture_is_not_taken(place: Path, content: bytes) -> None:
+    cache.save("a", b"xyz")
+    (place / "a.pixels").write_bytes(content)
+    assert cache.load("a", 3) is None
+    cache.save("a", b"xyz")
+    assert cache.load("a", 3) == b"xyz"
+
+
+def test_where_nothing_can_be_written_nothing_is_lost(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_text("no folder")
+    monkeypatch.setenv("POOL2D_CACHE", str(tmp_path / "file" / "below"))
+    cache.save("a", b"xyz")
+    assert cache.load("a", 3) is None
+    table = load_table("pool-9ft")
+    assert table_art.draw(table, SIZE, fit(2.54, 1.27, (0, 0, *SIZE))).get_size() == SIZE
+
+
+def test_the_longest_unused_go_when_there_is_no_room(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cache, "_ROOM", 3 * 104)
+    for name in "abc":
+        cache.save(name, b"." * 100)
+        stamp = 10**9 * (1 + ord(name))
+        os.utime(place / f"{name}.pixels", ns=(stamp, stamp))
+    # Being used makes the oldest the youngest.
+    assert cache.load("a", 100)
+    cache.save("d", b"." * 100)
+    assert {path.stem for path in place.iterdir()} == {"a", "c", "d"}
+
+
+def test_a_picture_is_drawn_once_for_all_that_look_alike(place: Path) -> None:
+    table = load_table("pool-9ft")
+    view = fit(2.54, 1.27, (0, 0, *SIZE))
+    assert table_art.kept(table, SIZE, view) is None
+    table_art.draw(table, SIZE, view)
+    for alike in (load_table("pool-9ft"), table.with_knobs({"cloth.mu_roll": 0.02})):
+        assert table_art.kept(alike, SIZE, view) is not None
+    for other in (load_table("pool-8ft"), table.with_knobs({"corner.mouth": 0.12})):
+        assert table_art.kept(other, SIZE, view) is None
+    assert table_art.kept(table, SIZE, View(view.scale, view.left + 1.0, view.bottom)) is None
+
+
+def test_other_code_draws_another_picture(tmp_path: Path) -> None:
+    code = [tmp_path / "one.py", tmp_path / "two.py"]
+    code[0].write_text("a")
+    code[1].write_text("b")
+    names = {cache.name_of("x", (str(path),)) for path in code} | {cache.name_of("y", (str(code[0]),))}
+    assert len(names) == 3
