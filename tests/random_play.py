@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 from benchmarks.matches import SHORT, place, stroke, table_for
-from pool2d.game.actions import Action, Concede, NextFrame, Stroke
+from pool2d.game.actions import Action, Concede, NextFrame, Stalemate, Stroke
 from pool2d.game.match import Match, Setup
 from pool2d.game.rules import AIM, OVER, PLACE, Choice
 
@@ -20,8 +20,8 @@ def random_action(match: Match, rng: random.Random) -> Action:
     ask, ruling = match.ask, match.now.ruling
     if ask.kind == OVER:
         return NextFrame()
-    if rng.random() < 0.005:
-        return Concede(ask.who)
+    if rng.random() < 0.01:
+        return Concede(ask.who) if rng.random() < 0.5 else Stalemate()
     if ask.kind == AIM:
         return Stroke(*stroke(match.table, ruling, rng))
     return place(match.table, ruling, rng) if ask.kind == PLACE else Choice(rng.choice(ask.options))

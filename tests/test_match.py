@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pool2d import Ball, InputError, Layout, Shot, Table
-from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stroke, as_dict, from_dict
+from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke, as_dict, from_dict
 from pool2d.game.match import LOSER, WINNER, Match, Moment, Setup, setup_of
 from pool2d.game.report import Call
 from pool2d.game.rules import GAMES, Choice
@@ -27,7 +27,7 @@ actions = st.one_of(
     st.builds(Choice, st.just("place"), number, number),
     st.builds(Choice, st.text(), st.just(0.0), st.just(0.0)),
     st.builds(Concede, st.integers(0, 3)),
-    st.just(NextFrame()),
+    st.sampled_from([NextFrame(), Stalemate()]),
     st.builds(Arrange, layouts),
 )
 
@@ -106,6 +106,17 @@ def test_frames_are_counted_and_the_break_goes_round(table: Table) -> None:
         match.play(Concede(0))
     assert match.undo()
     assert not match.over
+
+
+def test_a_stalemate_begins_the_frame_again(table: Table) -> None:
+    match = Match(table, Setup("eight-ball", breaker=1))
+    first = match.layout
+    match.play(Stroke(Shot(0.0, 8.0)))
+    match.play(Stalemate())
+    assert (match.ask.who, match.now.frame, match.now.shooter, match.frames) == (1, 0, -1, (0, 0))
+    assert len(match.layout.on_table()) == 16
+    assert match.layout != first
+    assert match.now.tallies[1].strokes == 1
 
 
 def test_frames_are_racked_differently(table: Table) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import random
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from benchmarks import replays
 from pool2d import InputError, Shot, load_table
 from pool2d.cli import main
 from pool2d.game.actions import Concede, Stroke
@@ -22,6 +24,8 @@ from pool2d.game.recorder import Recorder, record, resume, unfinished
 from pool2d.game.rules import GAMES
 
 from .random_play import new_match, random_action
+
+ROOT = Path(__file__).resolve().parent.parent
 
 
 @pytest.fixture(autouse=True)
@@ -102,6 +106,7 @@ def test_unfinished_matches_are_offered_the_latest_first(tmp_path: Path) -> None
         pass  # Nothing was played: nothing to resume.
     (matches_folder() / "noise.jsonl").write_text("noise")
     assert unfinished() == paths[::-1]
+    assert unfinished(3) == [paths[2]]  # Beside the noise and the one that was not begun.
     with resume(paths[1]) as recorder:
         recorder.leave()
     assert unfinished() == [paths[2], paths[0]]
@@ -146,6 +151,7 @@ def test_damage_is_told_apart(good: bytes, tmp_path: Path, capsys: pytest.Captur
     edited = good.replace(b'"do":"stroke"', b'"do":"strike"', 1)
     cases = {
         b"": ", line 1: not a record of pool2d",
+        b"noise\nand more": ", line 1: not a record of pool2d",
         b"noise\n": ", line 1: not a record of pool2d",
         b"[1, 2]\n": ", line 1: not a record of pool2d",
         b'{"a": 1}\n': ", line 1: not a record of pool2d",
@@ -206,6 +212,8 @@ def test_a_change_with_good_sums_diverges(good: bytes, tmp_path: Path, capsys: p
     assert diverges(first, state="0").what == "the game does not stand as recorded after this stroke"
     assert diverges(first, shot="cue:1.5,3.0").line == stroke + 2
     assert "is refused" in diverges(first, shot="1:1.5,3.0").what
+    with pytest.raises(InputError, match=f"^{path}, line {stroke + 2}: stroke is refused: "):
+        takes(load(path))
     assert "is refused" in diverges(first, do="redo").what
     assert "is refused" in diverges(first, do="jump").what
     assert diverges({**first, "state": "0"}) == Divergence(1, "the balls do not start as recorded")
@@ -311,3 +319,17 @@ def test_records_begun_in_the_same_second_have_names_of_their_own() -> None:
     for recorder in recorders:
         recorder.close()
     assert len(list(matches_folder().iterdir())) == 3
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="a process is killed that was forked")
+def test_a_few_kills_lose_nothing() -> None:
+    words = [sys.executable, "-m", "benchmarks.kills", "--kills", "4"]
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("4 kills, ")
+    assert ", 0 faults; " in done.stdout
+
+
+def test_a_random_match_of_a_game_comes_back() -> None:
+    for what, _ in (replays.attempt(("nine-ball", 4)), replays.attempt(("practice", 4))):
+        assert what == ""

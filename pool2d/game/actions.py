@@ -29,6 +29,11 @@ class Concede:
 
 
 @dataclass(frozen=True, slots=True)
+class Stalemate:
+    """Both players see no progress: the frame begins again."""
+
+
+@dataclass(frozen=True, slots=True)
 class NextFrame:
     """The balls are racked for the next frame."""
 
@@ -40,7 +45,9 @@ class Arrange:
     layout: Layout
 
 
-Action: TypeAlias = Stroke | Choice | Concede | NextFrame | Arrange
+Action: TypeAlias = Stroke | Choice | Concede | Stalemate | NextFrame | Arrange
+
+_DOES = ("stroke", "choose", "concede", "stalemate", "next", "arrange")
 
 
 def as_dict(action: Action) -> dict[str, Any]:
@@ -55,7 +62,7 @@ def as_dict(action: Action) -> dict[str, Any]:
         return {"do": "concede", "player": action.player}
     if isinstance(action, Arrange):
         return {"do": "arrange", "position": write(action.layout)}
-    return {"do": "next"}
+    return {"do": "stalemate" if isinstance(action, Stalemate) else "next"}
 
 
 def from_dict(data: Mapping[str, Any], source: str) -> Action:
@@ -75,9 +82,9 @@ def from_dict(data: Mapping[str, Any], source: str) -> Action:
     if do == "arrange":
         text = _of(data, "position", str, source)
         return Arrange(read(text, source).layout if text else Layout())
-    if do == "next":
-        return NextFrame()
-    raise InputError(source, "do", do, suggest(str(do), ("stroke", "choose", "concede", "next", "arrange")))
+    if do in ("next", "stalemate"):
+        return NextFrame() if do == "next" else Stalemate()
+    raise InputError(source, "do", do, suggest(str(do), _DOES))
 
 
 def _of(data: Mapping[str, Any], key: str, kind: type, source: str, default: Any = None) -> Any:

@@ -16,7 +16,7 @@ from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import Layout
 from ..table import Table
-from .actions import Action, Arrange, Concede, NextFrame, Stroke
+from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from .report import Call, Report, read
 from .rules import AIM, OVER, Ask, Choice, Ruling, State, game
 from .rules.practice import Practice
@@ -179,6 +179,9 @@ class Match:
             if type(action.player) is not int or not 0 <= action.player < self.rules.players:
                 raise InputError("match", "player", action.player, f"allowed is 0 to {self.rules.players - 1}")
             ruling = self.rules.conceded(state, layout, action.player)
+        elif isinstance(action, Stalemate):
+            # The last stroke is nobody's in the new rack.
+            now, ruling = replace(now, shooter=-1), self.rules.stalemate(state)
         else:
             ruling = self._arranged(action)
         return self._moment(replace(now, ruling=ruling, action=action, rollout=None, report=None))

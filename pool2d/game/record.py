@@ -90,9 +90,9 @@ def load(path: Path, torn: bool = False) -> Record:
     *lines, rest = content.split(b"\n")
     if not lines and not rest.startswith(b'{"n":0,"pool2d":'):
         raise InputError(source, "", None, "not a record of pool2d", 1)
+    bodies, total = _unsealed(lines, source)
     if not lines or (rest and not torn):
         raise InputError(source, "", None, "the file is cut off within this line", len(lines) + 1)
-    bodies, total = _unsealed(lines, source)
     head = bodies[0]
     try:
         setup, place = setup_of(head["setup"], source), _place(head["table"], source)
@@ -194,11 +194,15 @@ def digest(match: Match) -> str:
 def replayed(record: Record) -> Iterator[tuple[Entry, Match]]:
     """The match as it stands after each entry. It is one match, which goes on with the iteration.
 
-    Raises InputError, or BudgetError, where an entry is none or its action is refused.
+    Raises InputError where an entry's action is refused.
     """
     match = Match(record.table(), record.setup)
     for entry in record.entries:
-        _redo(match, entry, str(record.path))
+        try:
+            _redo(match, entry, str(record.path))
+        except (InputError, BudgetError) as error:
+            what = f"{entry.data['do']} is refused: {error}"
+            raise InputError(str(record.path), "", None, what, entry.line) from error
         yield entry, match
 
 

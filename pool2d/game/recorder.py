@@ -124,15 +124,25 @@ def resume(path: Path) -> Recorder:
     return Recorder(match, path, file, len(kept.entries) + 1, kept.sum)
 
 
-def unfinished() -> list[Path]:
-    """The player's records that can be gone on with, the latest first; none that is damaged."""
-    found = []
-    for path in matches_folder().glob("*" + ENDING):
-        with contextlib.suppress(InputError, OSError):
-            kept = load(path, torn=True)
-            if kept.entries and not kept.over:
-                found.append((path.stat().st_mtime_ns, path))
-    return [path for _, path in sorted(found, reverse=True)]
+def unfinished(most: int = 50) -> list[Path]:
+    """Which of the player's latest records can be gone on with, the latest first; none that is damaged."""
+    paths = sorted(matches_folder().glob("*" + ENDING), key=_age)[:most]
+    return [path for path in paths if _can_go_on(path)]
+
+
+def _age(path: Path) -> int:
+    try:
+        return -path.stat().st_mtime_ns
+    except OSError:
+        return 0
+
+
+def _can_go_on(path: Path) -> bool:
+    try:
+        kept = load(path, torn=True)
+    except InputError:
+        return False
+    return bool(kept.entries) and not kept.over
 
 
 _APPEND = os.O_APPEND | os.O_WRONLY | getattr(os, "O_BINARY", 0)

@@ -11,9 +11,13 @@ import pygame
 
 from ..errors import InputError
 from ..files import write_bytes
+from ..game.falls import falling
+from ..game.lying import racked
 from ..physics.rollout import Rollout
+from ..physics.turning import Quaternion, Turning
+from ..physics.values import Ball
 from ..table import Table
-from . import ball_art, gif, table_art
+from . import ball_art, gif, table_art, tray
 from .view import fit
 
 # How long the last picture is held, in hundredths of a second.
@@ -24,12 +28,17 @@ def frames(table: Table, rollout: Rollout, size: tuple[int, int], times: Iterabl
     """The table at moments of a shot, s."""
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
     background = table_art.draw(table, size, view)
+    turning = Turning(rollout, racked(rollout.start))
+
+    def placed(ball: Ball, lie: Quaternion) -> ball_art.Placed:
+        look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
+        return ball_art.Placed(look, view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale, lie)
+
     for t in times:
-        picture = background.copy()
-        for ball in rollout.at(t).on_table():
-            look = table.furniture.looks.get(ball.id)
-            place = view.to_screen(ball.x, ball.y)
-            ball_art.draw(picture, ball.id, place, table.body_of(ball)[0] * view.scale, look=look)
+        picture, layout = background.copy(), rollout.at(t)
+        falls = falling(rollout, turning, table.geometry.pockets, t)
+        balls = [tray.sinking(fall, placed(layout[fall.ball]._replace(x=fall.x, y=fall.y), fall.lie)) for fall in falls]
+        ball_art.draw_all(picture, [*balls, *(placed(ball, turning.at(ball.id, t)) for ball in layout.on_table())])
         yield picture
 
 
