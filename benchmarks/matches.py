@@ -33,7 +33,8 @@ SHORT = {"straight": {"target": 8.0}, "three-cushion": {"points": 2.0}, "straigh
 # After so many strokes a match is given up.
 STROKES = 300
 # Practice never ends.
-LIMITS = {"practice": 50}
+PRACTICE = "practice"
+LIMITS = {PRACTICE: 50}
 
 
 @dataclass
@@ -62,7 +63,10 @@ def play(name: str, seed: int, strokes: int = STROKES) -> Result:
     result = Result(name, seed)
     ruling = rules.start(seed % rules.players, seed)
     result.faults += faults(rules, ruling)
-    while ruling.ask.kind != OVER and result.strokes < strokes and not result.faults:
+    # A table that is cleared in practice stays so.
+    while (
+        ruling.ask.kind != OVER and result.strokes < strokes and not result.faults and len(ruling.layout.on_table()) > 1
+    ):
         ask, state, layout = ruling.ask, ruling.state, ruling.layout
         if ask.kind == AIM:
             shot, call = stroke(table, ruling, rng)
