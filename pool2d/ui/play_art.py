@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import pygame
 
+from ..game.rules import AIM
 from ..physics.strike import hop
-from . import cue_art, hud, stroke, theme, trail, vectors
+from . import cue_art, hud, scoreboard, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
 from .words import say
 
@@ -35,8 +36,19 @@ def draw(surface: pygame.Surface, play: Play) -> None:
     if play.playback is not None and play.playback.review:
         play.timeline.place(screen, panel)
         play.timeline.draw(surface, play.playback, play.session.table)
+    if play.playback is None:
+        play.referee.draw(surface, play.stage.view, play.session)
     if play.tuning is not None:
         play.tuning.draw(surface)
+
+
+def _notes(play: Play, speed: float) -> str:
+    """What is to be said of the shot that is aimed."""
+    session, shot = play.session, play.hands.aim.shot(play.session.cue.id, speed)
+    if play.playback is not None or session.ask.kind != AIM or speed == 0.0:
+        return ""
+    off = play.referee.warning(session, play.aimed(shot)) if play.level else ""
+    return f"{off} {hop_note(play, speed)}".strip()
 
 
 def hop_note(play: Play, speed: float) -> str:
@@ -91,11 +103,18 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
 
 def _bars(surface: pygame.Surface, play: Play) -> None:
     session, screen, hands = play.session, play.stage.screen, play.hands
-    shot = say("play.shot", number=session.strokes + 1)
-    note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
-    hud.draw_bars(surface, screen, session.table.title, note)
+    if session.free:
+        shot = say("play.shot", number=session.strokes + 1)
+        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
+        hud.draw_bars(surface, screen, session.table.title, note)
+    else:
+        hud.draw_bars(surface, screen, "", "")
+        # While a shot runs for the first time, what comes of it is not told yet.
+        first = play.playback is not None and not play.playback.again
+        scoreboard.draw(surface, screen, session.match, session.match.history[-2 if first else -1])
     play.stage.tray(surface)
     hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
-    message = wrong or f"{play.message} {hop_note(play, hands.speed)}".strip()
-    hud.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT)
+    message = wrong or f"{play.message} {_notes(play, hands.speed)}".strip()
+    taken = play.referee.place(screen, session) if play.playback is None else 0
+    hud.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)
