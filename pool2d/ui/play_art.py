@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import pygame
 
 from ..game.rules import AIM
+from ..game.rules.spotting import KITCHEN, D
 from ..physics.strike import hop
 from . import cue_art, hud, scoreboard, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
@@ -71,10 +73,30 @@ def _at_rest(surface: pygame.Surface, play: Play) -> None:
         stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
     stage.balls(surface, session.layout, session.rollout)
     if session.in_hand:
+        _area(surface, play)
         x, y = play.in_hand.where(session)
         stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
     else:
         cue_art.draw(surface, session.table, session.cue, hands.aim, stroke.stand(hands.drawn), stage.view)
+
+
+def _area(surface: pygame.Surface, play: Play) -> None:
+    """Where a cue ball in hand may go, where that is only a part of the table."""
+    table, where = play.session.table, play.session.ask.where
+    line, radius = table.furniture.head_string, table.furniture.d_radius
+    if line is None or where not in (KITCHEN, D):
+        return
+    if where == KITCHEN:
+        width = table.knobs.table.width
+        outline = [(0.0, 0.0), (line, 0.0), (line, width), (0.0, width)]
+    else:
+        middle = table.furniture.spots["head"][1]
+        turns = (math.pi * (0.5 + i / 48) for i in range(49))
+        outline = [(line + radius * math.cos(turn), middle + radius * math.sin(turn)) for turn in turns]
+    points = [play.stage.view.to_screen(x, y) for x, y in outline]
+    shade = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
+    pygame.draw.polygon(shade, theme.AREA, points)
+    surface.blit(shade, (0, 0))
 
 
 def _in_motion(surface: pygame.Surface, play: Play) -> None:
