@@ -56,8 +56,9 @@ def render(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
     np.clip(color, 0.0, 255.0, out=color)
     alpha = np.array([[255.0 * sprite.level / LEVELS] for sprite in sprites], dtype=np.float32)
     pixels = np.empty((len(sprites), side * side, 4), dtype=np.uint8)
+    levels = color.astype(np.uint8)
     for channel in range(3):
-        pixels[:, :, 2 - channel] = color[:, channel]
+        pixels[:, :, 2 - channel] = levels[:, channel]
     pixels[:, :, 3] = lit[:, Light.COVER] * alpha
     return [pygame.image.frombuffer(picture.data, (side, side), "BGRA") for picture in pixels]
 
@@ -150,13 +151,12 @@ def _print(onto: Floats, places: Floats, marks: Mapping[int, str], axis: int, ra
     """Print marks, by the balls' indices, where an axis comes out of the ball on either side."""
     if not marks:
         return
-    rows = np.array(list(marks))
-    texels = ball_marks.texels(radius)
-    pictures = np.stack([ball_marks.picture(mark, texels) for mark in marks.values()])
     count = places.shape[2]
-    inside = np.flatnonzero(np.abs(places[rows, axis]) > math.sqrt(1.0 - ball_marks.INKED**2))
-    which = inside // count
-    ball, point = rows[which], inside % count
-    flat, at = places.reshape(-1), 3 * count * ball + point
+    pictures = ball_marks.pictures(tuple(marks.get(i, "") for i in range(len(places))), radius)
+    inside = np.flatnonzero(np.abs(places[:, axis]) > math.sqrt(1.0 - ball_marks.INKED**2))
+    ball = inside // count
+    flat, at = places.reshape(-1), inside + 2 * count * ball
     right, up, out = (flat[at + part % 3 * count] for part in (axis + 1, axis + 2, axis))
-    onto[ball, point] = ball_marks.sample(pictures, which, np.copysign(right, right * out), up)
+    ink = ball_marks.sample(pictures, ball, np.copysign(right, right * out), up)
+    printed = onto.reshape(-1)
+    printed[inside] = np.maximum(printed[inside], ink)

@@ -51,10 +51,12 @@ class _Skin:
         return float(self.left.shape[1] / (2.0 * _FINE))
 
 
-def draw(surface: pygame.Surface, table: Table, ball: Ball, aim: Aim, back: float, view: View) -> None:
+def draw(
+    surface: pygame.Surface, table: Table, ball: Ball, aim: Aim, back: float, view: View, seen: float = 1.0
+) -> None:
     """The cue behind a ball, drawn `back` m away from it, its tip where the aim's side has it.
 
-    The surface has 32 bits a pixel, as every window has.
+    `seen` below 1 lets the table through. The surface has 32 bits a pixel, as every window has.
     """
     radius = table.body_of(ball)[0]
     angle, raised = math.radians(aim.angle), math.radians(aim.elevation)
@@ -72,14 +74,15 @@ def draw(surface: pygame.Surface, table: Table, ball: Ball, aim: Aim, back: floa
     shifts = surface.get_shifts()[:3]
     low = radius + back * math.sin(raised)
     high = low + _LENGTH * (_RISE + math.sin(raised))
-    _lay(surface, _shadow(round(view.scale), round(20.0 * high), shifts), at(0.0, low), at(_LENGTH * flat, high))
+    shadow, part = _shadow(round(view.scale), round(20.0 * high), shifts), round(256.0 * seen)
+    _lay(surface, shadow, at(0.0, low), at(_LENGTH * flat, high), part)
     # Which side of the cue is toward the light.
     facing = round(-4.0 * (right[0] * LIGHT[0] + right[1] * LIGHT[1]))
-    _lay(surface, _wood(round(view.scale), facing, shifts), at(0.0, 0.0), at(_LENGTH * flat, 0.0))
+    _lay(surface, _wood(round(view.scale), facing, shifts), at(0.0, 0.0), at(_LENGTH * flat, 0.0), part)
 
 
-def _lay(surface: pygame.Surface, skin: _Skin, tip: tuple[float, float], butt: tuple[float, float]) -> None:
-    """Lay a skin over the surface from tip to butt."""
+def _lay(surface: pygame.Surface, skin: _Skin, tip: tuple[float, float], butt: tuple[float, float], part: int) -> None:
+    """Lay a skin over the surface from tip to butt, `part` of 256 of it."""
     length = math.dist(tip, butt)
     if length < 1.0:
         return
@@ -96,10 +99,18 @@ def _lay(surface: pygame.Surface, skin: _Skin, tip: tuple[float, float], butt: t
     seen = (y >= 0) & (y < surface.get_height()) & (x >= 0) & (x < surface.get_width())
     if not seen.all():
         place, sample = place[seen], sample[seen]
-    ground, left = pixels.take(place), skin.left.reshape(-1).take(sample)
-    even = (((ground & _EVEN) * left) >> 8) & _EVEN
-    odd = (((ground & _ODD) >> 8) * left) & _ODD
-    pixels[place] = (even | odd) + skin.light.reshape(-1).take(sample)
+    light, left = skin.light.reshape(-1).take(sample), skin.left.reshape(-1).take(sample)
+    if part < 256:
+        light = _dimmed(light, np.uint32(part))
+        left = np.asarray(256 - (((256 - left) * np.uint32(part)) >> 8), np.uint32)
+    pixels[place] = _dimmed(pixels.take(place), left) + light
+
+
+def _dimmed(pixels: Pixels, part: Pixels | np.uint32) -> Pixels:
+    """Pixels with so much of each byte, of 256."""
+    even = (((pixels & _EVEN) * part) >> 8) & _EVEN
+    odd = (((pixels & _ODD) >> 8) * part) & _ODD
+    return np.asarray(even | odd, np.uint32)
 
 
 def _near(
