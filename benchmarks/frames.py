@@ -58,6 +58,7 @@ def _frames(size: tuple[int, int]) -> None:
         _tell(name, times)
 
     frames("at rest")
+    frames("the same, drawn again", app.redraw)
     frames("aiming", turn)
     hands.aim = hands.aim.with_speed(8.0).toward(1.0, 0.003)
     app.play._strike(8.0)
