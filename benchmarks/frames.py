@@ -27,6 +27,9 @@ def main(size: tuple[int, int]) -> None:
     print(f"{size[0]}x{size[1]}, in ms   by the clock: median, shortest, longest; of the processor: the same")
     with tempfile.TemporaryDirectory() as folder:
         os.environ["POOL2D_CACHE"] = os.environ["POOL2D_CONFIG"] = folder
+        # Compiled code is kept, as it is for a player; only the first start is without.
+        os.environ["PYTHONPYCACHEPREFIX"] = folder
+        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
         with open(os.path.join(folder, "settings.toml"), "w", encoding="utf-8") as settings:
             print(f"[screen]\nwidth = {size[0]}\nheight = {size[1]}", file=settings)
         for name, kept in (("without a kept picture", False), ("with one", True)):

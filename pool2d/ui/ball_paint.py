@@ -49,8 +49,9 @@ def render(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
     turns = np.array([matrix(unit(sprite.lie)) for sprite in sprites], dtype=np.float32)
     # Turned back: the transposed matrix.
     places = np.matmul(turns.transpose(0, 2, 1), lit[:, Light.NORMAL])
-    color, gloss = _colors(sprites, places, lit[:, Light.SOFT]), lit[:, Light.GLOSS]
-    _print_all(sprites, places, lit[:, Light.SOFT], color, gloss)
+    paints = [paint_of(sprite.look, sprite.style) for sprite in sprites]
+    color, gloss = _colors(paints, places, lit[:, Light.SOFT]), lit[:, Light.GLOSS]
+    _print_all(sprites, paints, places, lit[:, Light.SOFT], color, gloss)
     color *= lit[:, Light.SHADE]
     color += gloss
     np.clip(color, 0.0, 255.0, out=color)
@@ -63,9 +64,8 @@ def render(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
     return [pygame.image.frombuffer(picture.data, (side, side), "BGRA") for picture in pixels]
 
 
-def _colors(sprites: Sequence[Sprite], places: Floats, soft: Floats) -> Floats:
+def _colors(paints: Sequence[Paint], places: Floats, soft: Floats) -> Floats:
     """The paint (balls, 3, points): the ball's own colour, and the second beyond the stripe and on the spots."""
-    paints = [paint_of(sprite.look, sprite.style) for sprite in sprites]
     base = np.array([paint.base for paint in paints], dtype=np.float32)[:, :, None]
     other = np.array([paint.second for paint in paints], dtype=np.float32)[:, :, None] - base
     stripe = np.array([[paint.stripe] for paint in paints], dtype=np.float32)
@@ -75,7 +75,9 @@ def _colors(sprites: Sequence[Sprite], places: Floats, soft: Floats) -> Floats:
     return painted
 
 
-def _print_all(sprites: Sequence[Sprite], places: Floats, soft: Floats, color: Floats, gloss: Floats) -> None:
+def _print_all(
+    sprites: Sequence[Sprite], paints: Sequence[Paint], places: Floats, soft: Floats, color: Floats, gloss: Floats
+) -> None:
     """Print dots, numbers and shapes onto the balls' colours."""
     printed = np.zeros_like(soft)
     dotted = [i for i, sprite in enumerate(sprites) if sprite.look.dots]
@@ -85,14 +87,14 @@ def _print_all(sprites: Sequence[Sprite], places: Floats, soft: Floats, color: F
     radius = sprites[0].radius
     numbers = {i: sprite.look.number for i, sprite in enumerate(sprites) if sprite.look.number}
     _print(printed, places, numbers, 2, radius)
-    _ink(color, gloss, printed, [paint_of(sprite.look, sprite.style).ink for sprite in sprites])
+    _ink(color, gloss, printed, [paint.ink for paint in paints])
     shapes = {i: shape for i, sprite in enumerate(sprites) if sprite.style.patterned and (shape := _shape(sprite.look))}
     if shapes:
         shaped = np.zeros_like(soft)
         for axis in range(3):
             here = {i: shape for i, shape in shapes.items() if axis < 2 or i not in numbers}
             _print(shaped, places, here, axis, radius)
-        _ink(color, gloss, shaped, [paint_of(sprite.look, sprite.style).sign for sprite in sprites])
+        _ink(color, gloss, shaped, [paint.sign for paint in paints])
 
 
 def _ink(color: Floats, gloss: Floats, printed: Floats, inks: Sequence[tuple[int, ...]]) -> None:
