@@ -50,6 +50,7 @@ def _frames(size: tuple[int, int]) -> None:
 
     def turn() -> None:
         hands.aim = hands.aim.turned(0.7)
+        app.redraw()
 
     def frames(name: str, change: Callable[[], None] = lambda: None, dt: float = _FRAME) -> None:
         times = []

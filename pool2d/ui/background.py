@@ -26,6 +26,7 @@ class Background:
         self._whole = _Whole()
         self._larger = _Painter()
         self._waiting = False
+        self._view: View | None = None
         self._seen: Hashable = None
         self._part = pygame.Surface((1, 1))
 
@@ -38,6 +39,7 @@ class Background:
         """Fill the surface with the table as `view` has it; `home` is the view of the whole of it."""
         size = surface.get_size()
         whole = self._whole.take(table, size, home)
+        moving, self._view = view != self._view, view
         self._waiting = False
         if view == home:
             surface.blit(whole, (0, 0))
@@ -46,12 +48,12 @@ class Background:
         if self._whole.settled:
             near = home.zoomed(_NEAR)
             large = self._larger.take(table, (size[0] * _NEAR, size[1] * _NEAR), near)
-            self._waiting = large is None
+            self._waiting = large is None or moving
             if large is not None:
                 given = (large, near)
-        seen = (id(given[0]), view)
+        seen = (id(given[0]), view, moving)
         if seen != self._seen:
-            self._part = _cut(*given, size, view)
+            self._part = _cut(*given, size, view, quick=moving)
             self._seen = seen
         surface.blit(self._part, (0, 0))
 
@@ -125,18 +127,22 @@ class _Whole:
         self.settled = True
 
 
-def _cut(picture: pygame.Surface, given: View, size: tuple[int, int], view: View) -> pygame.Surface:
-    """What `view` shows on a surface of `size`, scaled out of a picture drawn in the view `given`."""
+def _cut(
+    picture: pygame.Surface, given: View, size: tuple[int, int], view: View, quick: bool = False
+) -> pygame.Surface:
+    """What `view` shows on a surface of `size`, scaled out of a picture drawn in the view `given`.
+
+    A `quick` one is rough: for a picture that is seen for one frame.
+    """
     factor = view.scale / given.scale
     left, top = given.to_screen(*view.to_table(0.0, 0.0))
     right, bottom = given.to_screen(*view.to_table(float(size[0]), float(size[1])))
     box = pygame.Rect(math.floor(left), math.floor(top), 0, 0)
     box.width, box.height = math.ceil(right) - box.left, math.ceil(bottom) - box.top
     box = box.clip(picture.get_rect())
-    part = pygame.Surface(size).convert() if pygame.display.get_surface() else pygame.Surface(size)
+    part = pygame.Surface(size)
     part.fill(theme.BACKGROUND)
-    scaled = pygame.transform.smoothscale(
-        picture.subsurface(box), (round(box.width * factor), round(box.height * factor))
-    )
+    scale = pygame.transform.scale if quick else pygame.transform.smoothscale
+    scaled = scale(picture.subsurface(box), (round(box.width * factor), round(box.height * factor)))
     part.blit(scaled, (round((box.left - left) * factor), round((box.top - top) * factor)))
     return part

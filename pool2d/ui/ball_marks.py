@@ -61,23 +61,23 @@ _HOLES = {"pink": _ring(24, 0.22)}
 @lru_cache(maxsize=64)
 def pictures(marks: tuple[str, ...], radius: float) -> Picture:
     """The ink of marks on balls of `radius` pixels, one picture after the other."""
-    return np.stack([_picture(mark, radius) for mark in marks])
+    pixels = 2.0 * REACH * radius
+    side = max(_LARGE, _LARGE * math.ceil(_FINE * pixels / _LARGE))
+    # Blurred over a pixel's width beforehand, so that one may look up just the nearest point.
+    return np.stack([_picture(mark, side, round((side / pixels - 1.0) / 2.0)) for mark in marks])
 
 
 @lru_cache(maxsize=256)
-def _picture(mark: str, radius: float) -> Picture:
+def _picture(mark: str, side: int, blur: int) -> Picture:
     """The ink of a number, or of the shape of a colour, from 0 to 1: row by row, downward; its edge is empty.
 
     Without a mark all of it is empty.
     """
-    side = max(_LARGE, math.ceil(2.0 * REACH * _FINE * radius))
     if not mark:
         return np.zeros((side, side), np.float32)
     large = _shape(mark) if mark in SHAPES else _number(mark)
     if side > _LARGE:
         large = pygame.transform.smoothscale(large, (side, side))
-    # Blurred over a pixel's width beforehand, so that one may look up just the nearest point.
-    blur = round((side / (2.0 * REACH * radius) - 1.0) / 2.0)
     if blur > 0:
         large = pygame.transform.box_blur(large, blur)
     # What is half ink stays, more and less part.
