@@ -1,12 +1,12 @@
-"""What rulings say, in English: the one place to translate.
+"""What rulings say, in English.
 
 A `Note` is a key and what fills its gaps. `say` makes a sentence of it; names of players are put in by
-whoever shows it.
+whoever shows it, and so are other words and names of balls where it is shown in another language.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -106,17 +106,27 @@ class Note:
         return {"key": self.key, "player": self.player, "ball": self.ball, "points": self.points}
 
 
-def say(note: Note, names: Sequence[str] = ("Player 1", "Player 2"), words: Mapping[str, str] = ENGLISH) -> str:
-    """A note as a sentence."""
+def called(ball: str) -> str:
+    """What a ball is called: of many alike, such as red7, the number is of no interest."""
+    if ball.isdigit():
+        return ball
+    # Only at carom is the ball named cue spoken of by its name: there it is the white of two cue balls.
+    return "white" if ball == "cue" else ball.rstrip("0123456789")
+
+
+def say(
+    note: Note,
+    names: Sequence[str] = ("Player 1", "Player 2"),
+    words: Mapping[str, str] = ENGLISH,
+    called: Callable[[str], str] = called,
+) -> str:
+    """A note as a sentence; `called` names balls."""
     player = names[note.player] if 0 <= note.player < len(names) else ""
-    # Of many alike, such as red7, the number is of no interest.
-    ball = note.ball if note.ball.isdigit() else note.ball.rstrip("0123456789")
-    ball = "cue ball" if ball == "cue" else ball
-    text = words[note.key].format(player=player, ball=ball, points=note.points)
+    text = words[note.key].format(player=player, ball=called(note.ball), points=note.points)
     return text[:1].upper() + text[1:] + "."
 
 
-def label(key: str, words: Mapping[str, str] = ENGLISH) -> str:
-    """What an option is called."""
+def label(key: str, words: Mapping[str, str] = ENGLISH, called: Callable[[str], str] = str) -> str:
+    """What an option is called; `called` names what it is about."""
     name, _, what = key.partition(":")
-    return words[f"choice.{name}"].format(what=what)
+    return words[f"choice.{name}"].format(what=called(what))
