@@ -118,9 +118,10 @@ def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: floa
         pygame.draw.rect(surface, theme.ACCENT, filled, border_radius=radius)
 
 
-def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color) -> None:
-    """The message, in as many lines as it needs and the bar has."""
+def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color, taken: int = 0) -> None:
+    """The message, in as many lines as it needs and the bar has; `taken` pixels of its room are not free."""
     box = screen.message
+    box.width = max(1, box.width - taken)
     lines = text.wrap(message, screen.small, box.width)
     pitch = text.font(screen.small).get_linesize()
     room = max(1, box.height // pitch)
