@@ -26,9 +26,9 @@ def option(key: str) -> str:
     return rules.label(key, _template("choice." + key.partition(":")[0]), called)
 
 
-def game(name: str) -> str:
+def title(game: str) -> str:
     """The title of a game."""
-    return say(f"game.{name}")
+    return say(f"game.{game}")
 
 
 def setting(name: str) -> str:
@@ -41,7 +41,7 @@ def setting_hint(game: str, name: str, doc: str) -> str:
     return say_or(f"option.{game}.{name}_hint", doc)
 
 
-def drill(drill: Drill) -> Wording:
+def wording(drill: Drill) -> Wording:
     """A drill's name and text; in English, or what language it was written in, where it is not translated."""
     return drill.said(language())
 

@@ -11,7 +11,7 @@ from pool2d.game.drills import MISSES
 from pool2d.game.rules import GAMES, Note, label, say
 from pool2d.game.rules.words import ENGLISH
 from pool2d.knobs import walk
-from pool2d.ui import rulings, words
+from pool2d.ui import rulings, text, words
 
 NAMES = ("Ann", "Bob")
 NOTES = [key for key in ENGLISH if not key.startswith("choice.")]
@@ -36,7 +36,7 @@ def test_english_is_what_the_rules_say(key: str, ball: str) -> None:
 def test_an_option_in_english_is_what_the_rules_call_it(key: str) -> None:
     about = {"group": ":red", "start-spot": ":left"}.get(key, "")
     assert rulings.option(key + about) == label(key + about)
-    assert rulings.option("pocket:top-right") == "Score in the top right pocket"
+    assert rulings.option("pocket:top-right") == "The top right pocket"
 
 
 @pytest.mark.parametrize("key", NOTES)
@@ -72,8 +72,8 @@ def test_a_note_in_german(note: Note, german: str) -> None:
     [
         ("play", "Spielen"),
         ("group:yellow", "Gelb spielen"),
-        ("start-spot:left", "Vom Punkt links beginnen"),
-        ("pocket:top-right", "In die Tasche oben rechts spielen"),
+        ("start-spot:left", "Vom Punkt links"),
+        ("pocket:top-right", "Tasche oben rechts"),
     ],
 )
 def test_an_option_in_german(key: str, german: str) -> None:
@@ -81,12 +81,21 @@ def test_an_option_in_german(key: str, german: str) -> None:
     assert rulings.option(key) == german
 
 
+@pytest.mark.parametrize("language", words.languages())
+def test_a_choice_fits_its_button(language: str) -> None:
+    words.speak(language)
+    keys = {"group": "group:yellow", "start-spot": "start-spot:right", "pocket": "pocket:bottom-right"}
+    for key in CHOICES:
+        label = rulings.option(keys.get(key, key))
+        assert text.fitted(label, 14, 184) == label
+
+
 @pytest.mark.parametrize("game", GAMES)
 def test_a_game_and_its_options_are_told_in_both_languages(game: str) -> None:
     told = {}
     for language in ("en", "de"):
         words.speak(language)
-        told[language] = [rulings.game(game)]
+        told[language] = [rulings.title(game)]
         for name, knob, _ in walk(GAMES[game].options_type()):
             told[language] += [rulings.setting(name), rulings.setting_hint(game, name, knob.doc)]
             assert (told[language][-1] == knob.doc) == (language == "en")
@@ -98,9 +107,9 @@ def test_a_game_and_its_options_are_told_in_both_languages(game: str) -> None:
 @pytest.mark.parametrize("name", drills())
 def test_a_shipped_drill_is_told_in_german(name: str) -> None:
     drill = load(name)
-    assert rulings.drill(drill) == (drill.name, drill.text)
+    assert rulings.wording(drill) == (drill.name, drill.text)
     words.speak("de")
-    german = rulings.drill(drill)
+    german = rulings.wording(drill)
     assert german.text.endswith(".") and german.text != drill.text
     assert (german.name == drill.name) == (name == "line-up")
 
