@@ -69,22 +69,22 @@ def drill_of(folder: Path, step: str, top: str = "") -> Drill:
 @pytest.mark.parametrize(
     ("step", "good", "bad", "miss"),
     [
-        ('pot = "1"', "cue-1 1>", "cue-1 1|", "pot"),
-        ('pot = "1"', "cue-1 1>", "cue-1 1> cue>", "cue"),
-        ('pot = "1"\npocket = "top-left"', "cue-1 1>top-left", "cue-1 1>top-right", "pot"),
-        ('pot = "solid"', "cue-1 1>", "cue-9 9>", "pot"),
-        ('pot = "any"\nleast = 2', "cue-1 1> 9>", "cue-1 1>", "pot"),
-        ('first = "1"', "cue-1 cue-9", "cue-9 cue-1", "first"),
-        ('first = "stripe"', "cue-9", "cue-1", "first"),
-        ('hits = ["1", "9"]', "cue-1 cue-9", "cue-1 1-9", "hits"),
-        ('hits = ["1", "9"]\nrails = 3', "cue| cue-1 cue| cue| cue-9", "cue| cue| cue-1 cue-9 cue|", "rails"),
-        ('hits = ["stripe"]\nrails = 1', "cue-1 cue| cue-9", "cue-1 cue-9 cue|", "rails"),
-        ("rails = 2", "cue| cue| cue-1", "cue| cue-1 cue|", "rails"),
-        ("rails = 1", "cue|", "", "rails"),
-        ('pot = "1"\nbanks = 1', "cue-1 1|right 1>", "cue-1 1|top-left_jaw 1>", "banks"),
-        ("clear = true", "cue-1 1|", "cue-1 cue|", "clear"),
-        ('via = ["right", "top"]', "cue|top cue|right", "cue|right cue|left", "via"),
-        ("driven = 3", "cue-1 1| 9> cue|", "cue-1 1| 1| cue|", "driven"),
+        ('pot = "1"', "cue-1 1>", "cue-1 1|", "not_potted"),
+        ('pot = "1"', "cue-1 1>", "cue-1 1> cue>", "cue_fell"),
+        ('pot = "1"\npocket = "top-left"', "cue-1 1>top-left", "cue-1 1>top-right", "not_potted"),
+        ('pot = "solid"', "cue-1 1>", "cue-9 9>", "not_potted"),
+        ('pot = "any"\nleast = 2', "cue-1 1> 9>", "cue-1 1>", "not_potted"),
+        ('first = "1"', "cue-1 cue-9", "cue-9 cue-1", "wrong_first"),
+        ('first = "stripe"', "cue-9", "cue-1", "wrong_first"),
+        ('hits = ["1", "9"]', "cue-1 cue-9", "cue-1 1-9", "not_all_hit"),
+        ('hits = ["1", "9"]\nrails = 3', "cue| cue-1 cue| cue| cue-9", "cue| cue| cue-1 cue-9 cue|", "few_rails"),
+        ('hits = ["stripe"]\nrails = 1', "cue-1 cue| cue-9", "cue-1 cue-9 cue|", "few_rails"),
+        ("rails = 2", "cue| cue| cue-1", "cue| cue-1 cue|", "few_rails"),
+        ("rails = 1", "cue|", "", "few_rails"),
+        ('pot = "1"\nbanks = 1', "cue-1 1|right 1>", "cue-1 1|top-left_jaw 1>", "few_banks"),
+        ("clear = true", "cue-1 1|", "cue-1 cue|", "cushion_met"),
+        ('via = ["right", "top"]', "cue|top cue|right", "cue|right cue|left", "wrong_way"),
+        ("driven = 3", "cue-1 1| 9> cue|", "cue-1 1| 1| cue|", "few_driven"),
     ],
 )  # fmt: skip
 def test_steps_are_judged(tmp_path: Path, step: str, good: str, bad: str, miss: str) -> None:
@@ -126,7 +126,7 @@ def test_a_drill_goes_from_step_to_step(tmp_path: Path) -> None:
     assert (second.done, second.over) == (2, False)
     assert second.layout["9"].x > 0.6
     third = judge(drill, second, simulate(drill.table, second.layout, Shot(180.0, 0.4)))
-    assert (third.done, third.over, third.missed) == (2, True, "first")
+    assert (third.done, third.over, third.missed) == (2, True, "wrong_first")
 
 
 def test_colours_are_spotted_where_a_step_says_so(tmp_path: Path) -> None:

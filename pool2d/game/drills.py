@@ -16,8 +16,11 @@ from .rules.spotting import nearest, put
 from .witness import read as report_of
 
 ANY = "any"
-# What a stroke may miss: an entry of its step, or that the cue ball stays on the table. The first is told.
-MISSES = ("cue", "first", "pot", "banks", "hits", "rails", "clear", "via", "driven", "rest")
+# What a stroke may fail to do; the words for each are the window's.
+MISSES = (
+    "cue_fell", "wrong_first", "not_potted", "few_banks", "not_all_hit", "few_rails", "cushion_met", "wrong_way",
+    "few_driven", "wrong_rest",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +96,7 @@ class Drill:
 
 
 class Standing(NamedTuple):
-    """Where an attempt stands: the balls, steps done, which of `MISSES` the last stroke did, and whether it is over."""
+    """Where an attempt stands: the balls, steps done, what the last stroke missed, and whether it is over."""
 
     layout: Layout
     done: int = 0
@@ -159,22 +162,22 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
 
 
 def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
-    """The first of `MISSES` that a stroke failed to do of a step; "" where it did all."""
+    """What a stroke failed to do of a step: one of MISSES; "" where it did all."""
     fell = [pot.ball for pot in report.pots if _is(table, pot.ball, step.pot) and step.pocket in ("", pot.pocket)]
     struck = [c.other for c in report.of(report.cue) if c.kind == BALL]
     checks = {
-        "cue": not report.cue_gone,
-        "first": not step.first or any(_is(table, b, step.first) for b in report.first),
-        "pot": not step.pot or len(fell) >= step.least,
-        "banks": not step.banks or _banks(report, fell[:1]) >= step.banks,
-        "hits": all(any(_is(table, b, wanted) for b in struck) for wanted in step.hits),
-        "rails": _rails(table, report, step.hits) >= step.rails,
-        "clear": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
-        "via": set(step.via) <= {c.other for c in report.of(report.cue)},
-        "driven": len(report.driven) >= step.driven,
-        "rest": all(rest.holds(layout) for rest in step.rest),
+        "cue_fell": not report.cue_gone,
+        "wrong_first": not step.first or any(_is(table, b, step.first) for b in report.first),
+        "not_potted": not step.pot or len(fell) >= step.least,
+        "few_banks": not step.banks or _banks(report, fell[:1]) >= step.banks,
+        "not_all_hit": all(any(_is(table, b, wanted) for b in struck) for wanted in step.hits),
+        "few_rails": _rails(table, report, step.hits) >= step.rails,
+        "cushion_met": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
+        "wrong_way": set(step.via) <= {c.other for c in report.of(report.cue)},
+        "few_driven": len(report.driven) >= step.driven,
+        "wrong_rest": all(rest.holds(layout) for rest in step.rest),
     }
-    return next((miss for miss in MISSES if not checks[miss]), "")
+    return next((miss for miss, good in checks.items() if not good), "")
 
 
 def _is(table: Table, ball: str, wanted: str) -> bool:

@@ -116,8 +116,8 @@ def test_a_shipped_drill_is_told_in_german(name: str) -> None:
 
 def test_what_a_stroke_missed_is_told() -> None:
     assert rulings.missed("") == ""
-    assert rulings.missed("first") == "The wrong ball was hit first."
+    assert rulings.missed("wrong_first") == "The wrong ball was hit first."
     english = {key: rulings.missed(key) for key in MISSES}
     words.speak("de")
-    assert rulings.missed("first") == "Die falsche Kugel wurde zuerst getroffen."
+    assert rulings.missed("wrong_first") == "Die falsche Kugel wurde zuerst getroffen."
     assert all(rulings.missed(key) != english[key] for key in MISSES)
