@@ -119,7 +119,7 @@ def test_a_drill_goes_from_step_to_step(tmp_path: Path) -> None:
     assert (second.done, second.over) == (2, False)
     assert second.layout["9"].x > 0.6
     third = judge(drill, second, simulate(drill.table, second.layout, Shot(180.0, 0.4)))
-    assert (third.done, third.over, third.missed) == (2, True, "The wrong ball was hit first.")
+    assert (third.done, third.over, third.missed) == (2, True, "wrong_first")
 
 
 def test_colours_are_spotted_where_a_step_says_so(tmp_path: Path) -> None:
