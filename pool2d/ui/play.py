@@ -11,10 +11,12 @@ import pygame
 from ..errors import BudgetError, InputError
 from ..game.session import Session, practice
 from ..physics.rollout import Rollout
+from ..physics.values import Layout
 from ..preset import load_table
 from ..settings import GUIDES
 from ..table import Table
 from . import guide, play_art, stroke, telling
+from .editing import Editing
 from .effects import Effects
 from .hands import Hands
 from .help import Help
@@ -49,6 +51,7 @@ class Play:
         self.playback: Playback | None = None
         self.timeline = Timeline()
         self.in_hand = InHand()
+        self.editing = Editing(self)
         self.tuning: Tuning | None = None
         self.effects = Effects()
         self.geometry = False
@@ -59,6 +62,7 @@ class Play:
         self._keys: dict[str, Callable[[], None]] = {
             **self.hands.keys,
             **self.stage.camera.keys,
+            **self.editing.keys,
             "strike": self._enter,
             "guide": self._next_guide,
             "fast": lambda: self._fast_forward(True),
@@ -83,6 +87,13 @@ class Play:
         return self.told()
 
     @property
+    def titles(self) -> tuple[str, str]:
+        """What the upper bar tells on its left and on its right."""
+        shot = say("play.shot", number=self.session.strokes + 1)
+        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=self.session.left)}"
+        return self.session.table.title, note
+
+    @property
     def time(self) -> float:
         """The moment of that shot, s; below 0 the cue is still on its way."""
         return 0.0 if self.playback is None else self.playback.time
@@ -105,6 +116,8 @@ class Play:
             return self
         if self.playback is not None and self.playback.review and self.timeline.handle(event, self.playback):
             return self
+        if self.editing.handle(event):
+            return self
         if event.type == pygame.KEYDOWN:
             return self._key(event.key, getattr(event, "mod", 0))
         if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
@@ -123,6 +136,7 @@ class Play:
             self._fast_forward(False)
             self.stage.camera.let_go()
             self.timeline.let_go()
+            self.editing.let_go()
             self._put_down()
         return self
 
@@ -136,17 +150,28 @@ class Play:
             # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
             dx, dy = _ARROWS[action]
             self.in_hand.nudge(self.session, 0.2 * fine_step(mod) * dx, 0.2 * fine_step(mod) * dy)
+            self.hands.hold = self.hands.pointer
         elif action in ("turn_left", "turn_right"):
             self.hands.turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
         elif action in self._keys:
             self._keys[action]()
-        return self
+        scene, self._next = self._next or self, None
+        return scene
+
+    def go_to(self, scene: Scene) -> None:
+        """Show another scene as soon as the event that is being taken is done with."""
+        self._next = scene
+
+    def tell(self, words: str) -> None:
+        """Tell this until something else is told."""
+        self.told = lambda: words
 
     def _move(self, pos: tuple[int, int]) -> None:
         if self.hands.move(pos, self.stage.screen):
             return
         if self._holding:
-            self.in_hand.at = self.stage.view.to_table(*pos)
+            if not self.hands.holds(pos):
+                self.in_hand.at = self.stage.view.to_table(*pos)
         elif not self.session.in_hand:
             cue = self.session.cue
             self.hands.point(pos, self.stage.view, cue, self.session.table.body_of(cue)[0])
@@ -171,8 +196,8 @@ class Play:
 
     @property
     def _holding(self) -> bool:
-        """Whether the player holds the cue ball."""
-        return self.session.in_hand and self.playback is None
+        """Whether the player holds a ball."""
+        return self.in_hand.held(self.session) is not None and self.playback is None
 
     def _next_guide(self) -> None:
         self.level = (self.level + 1) % len(GUIDES)
@@ -188,6 +213,8 @@ class Play:
         self.hands.put_down()
 
     def _cancel(self) -> None:
+        if self.editing.cancel():
+            return
         if not self.hands.busy:
             self.tuning = None
         self._put_down()
@@ -207,8 +234,7 @@ class Play:
         try:
             rollout = self.session.play(shot)
         except (InputError, BudgetError) as error:
-            wrong = str(error)
-            self.told = lambda: wrong
+            self.tell(str(error))
             return
         self._show(Playback(rollout, shot, stroke.lead(drawn, self.effects)))
         self.told = lambda: say("play.miscue") if telling.missed(rollout) else ""
@@ -246,11 +272,18 @@ class Play:
 
     def open_table(self, name: str) -> None:
         """Go over to another preset, with a new rack; raises InputError."""
-        self._drop()
-        self.tuning = None
-        self.session = practice(load_table(name), random.randrange(1 << 30))
+        self.take_table(load_table(name))
         title = self.session.table.title
         self.told = lambda: say("play.new_table", table=title)
+
+    def take_table(self, table: Table, layout: Layout | None = None) -> None:
+        """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""
+        session = practice(table, random.randrange(1 << 30))
+        if layout is not None:
+            session.arrange(layout)
+        self.drop()
+        self.tuning = None
+        self.session = session
 
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:
@@ -265,26 +298,23 @@ class Play:
         self.vectors = not self.vectors
 
     def _undo(self) -> None:
-        self._drop()
+        self.drop()
         undone = self.session.undo()
         self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
 
     def _rack(self) -> None:
-        self._drop()
+        self.drop()
         self.session.rack(random.randrange(1 << 30))
         self.told = lambda: say("play.new_rack")
 
-    def _drop(self) -> None:
+    def drop(self) -> None:
         """Let go of whatever is under way."""
         self.playback = None
         self.hands.put_down()
-        self.in_hand.at = None
+        self.editing.let_go()
 
     def _place(self) -> None:
-        if self.in_hand.place(self.session):
-            self.hands.hold = self.hands.pointer
-            self.told = lambda: ""
-        else:
+        if not self.editing.place():
             self.told = lambda: say("play.no_room")
 
     def change_table(self, table: Table) -> None:
@@ -326,6 +356,9 @@ class Play:
         elif self.session.in_hand or not telling.missed(shown.rollout):
             cue = self.session.cue.id
             self.told = lambda: telling.outcome(shown.rollout, cue)
+
+    def draw_marks(self, surface: pygame.Surface) -> None:
+        """Draw what is marked on the cloth, under the balls: nothing in practice."""
 
     def draw(self, surface: pygame.Surface) -> None:
         play_art.draw(surface, self)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import pygame
 
+from ..game.rules import AIM
 from ..physics.strike import hop
 from . import cue_art, hud, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
@@ -23,6 +24,7 @@ def draw(surface: pygame.Surface, play: Play) -> None:
     screen = hud.Screen(*surface.get_size())
     panel = play.tuning.width(screen) if play.tuning is not None else 0
     play.stage.begin(surface, play.session.table, panel)
+    play.draw_marks(surface)
     if play.playback is None:
         _at_rest(surface, play)
     else:
@@ -53,15 +55,16 @@ def hop_note(play: Play, speed: float) -> str:
 def _at_rest(surface: pygame.Surface, play: Play) -> None:
     """The balls as they lie, the guide, and the cue or the ball in hand."""
     session, stage, hands = play.session, play.stage, play.hands
+    held = play.in_hand.held(session)
+    aiming = held is None and session.ask.kind == AIM
     if play.tuning is not None and hands.pull is None:
         stage.ways(surface, play.tuning)
-    elif not session.in_hand and hands.speed > 0.0:
+    elif aiming and hands.speed > 0.0:
         stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
-    stage.balls(surface, session.layout, session.rollout)
-    if session.in_hand:
-        x, y = play.in_hand.where(session)
-        stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
-    else:
+    stage.balls(surface, session.layout, session.rollout, but=held.id if held is not None else "")
+    if held is not None:
+        stage.in_hand(surface, held, play.in_hand.may_stand(session))
+    elif aiming:
         cue_art.draw(surface, session.table, session.cue, hands.aim, stroke.stand(hands.drawn), stage.view)
 
 
@@ -91,9 +94,7 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
 
 def _bars(surface: pygame.Surface, play: Play) -> None:
     session, screen, hands = play.session, play.stage.screen, play.hands
-    shot = say("play.shot", number=session.strokes + 1)
-    note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
-    hud.draw_bars(surface, screen, session.table.title, note)
+    hud.draw_bars(surface, screen, *play.titles)
     play.stage.tray(surface)
     hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning

@@ -19,7 +19,7 @@ def title(event: Event, cue: str) -> str:
     """What happened, to which balls and where; `cue` is the cue ball."""
     if event.where == "miscue":
         return say("event.miscue")
-    balls = [_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
+    balls = [ball_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
     told = say(
         f"event.{event.kind}", ball=balls[0], other=balls[-1], balls=", ".join(balls), where=_where(event.where or "")
     )
@@ -52,7 +52,7 @@ def change(event: Event, ball: str, cue: str) -> str:
     old, new = event.before[ball], event.after[ball]
     told = say(
         "telling.change",
-        ball=_name(ball, cue),
+        ball=ball_name(ball, cue),
         speed=number(_speed(old), ".2f"), speed_after=number(_speed(new), ".2f"),
         roll=f"{_roll(old):.0f}", roll_after=f"{_roll(new):.0f}",
         side=f"{old.wz:.0f}", side_after=f"{new.wz:.0f}",
@@ -91,7 +91,7 @@ def outcome(rollout: Rollout, cue: str) -> str:
     if all(ball.id == cue for ball in end.on_table()):
         return say("outcome.cleared", rack=KEYS.shown("rack"))
     fallen.sort(key=lambda ball: (len(ball), ball))
-    return say("outcome.down", balls=", ".join(_name(ball, cue) for ball in fallen)) if fallen else ""
+    return say("outcome.down", balls=", ".join(ball_name(ball, cue) for ball in fallen)) if fallen else ""
 
 
 def _energy(ball: Ball, table: Table) -> float:
@@ -106,7 +106,7 @@ def _in_order(event: Event) -> tuple[str, str]:
     return (a, b) if _speed(event.before[a]) >= _speed(event.before[b]) else (b, a)
 
 
-def _name(ball: str, cue: str) -> str:
+def ball_name(ball: str, cue: str) -> str:
     """What a ball is called: "cue ball", "red 6", or what its table calls it."""
     if ball == cue:
         return say("ball.its_own")

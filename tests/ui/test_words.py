@@ -9,7 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from pool2d import catalogue
 from pool2d.assets import asset
+from pool2d.game.drill_file import load
+from pool2d.game.drills import MISSES
 from pool2d.knobs import walk
 from pool2d.preset import conditions
 from pool2d.settings import GUIDES, Settings
@@ -25,8 +28,10 @@ SHOWS = {"draw", "Heading", "Button", "Toggle", "Choice", "Slider", "TextField",
 NAMES = {"pool2d"}
 ENGLISH = words.catalogue("en").texts
 KNOBS = {f"knob.{name}": knob for name, knob, _ in walk(Knobs())}
-# What English takes from the knobs themselves.
+SHELF = [load(name) for name in catalogue.shipped(catalogue.DRILLS)]
+# What English takes from the knobs and the drills themselves.
 HINTS = {f"{key}_hint": knob.doc for key, knob in KNOBS.items()}
+HINTS |= {f"drills.{drill.id}.{part}": getattr(drill, part) for drill in SHELF for part in ("name", "text")}
 
 
 @pytest.fixture(autouse=True)
@@ -102,6 +107,7 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [f"tuning.page.{page}" for page in tuning.PAGES]
     wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in vectors.LEGEND]
+    wanted += [f"missed.{miss}" for miss in MISSES]
     assert [key for key in wanted if key not in ENGLISH] == []
 
 
