@@ -38,12 +38,13 @@ class Keeper:
     def lying(self, layout: Layout, rollout: Rollout | None = None, t: float = math.inf) -> Lying:
         """The balls of `layout`, to which `rollout` has led `t` seconds after its start."""
         if rollout is None:
-            self._shown = None
             return self._rack(layout)
         shot = self._shots.get(rollout)
         if shot is None:
             before = self._before(rollout.start)
-            shot = self._shots[rollout] = _Shot(Turning(rollout, before.lies), before.down, fallen(rollout))
+            shot = self._shots[rollout] = _Shot(
+                Turning(rollout, before.lies), before.down, fallen(rollout), rollout.layout()
+            )
         self._shown = shot
         pocketed = _pocketed(layout)
         down = [ball for ball in shot.before + fallen(rollout, t) if ball in pocketed]
@@ -64,21 +65,26 @@ class Keeper:
         return Lying(lies, _order(down, start))
 
     def _rack(self, layout: Layout) -> Lying:
+        shot, self._shown = self._shown, None
+        if shot is not None:
+            self._racked = shot.end, Lying(shot.turning.lies(math.inf), shot.before + shot.fallen)
         if self._racked is None or self._racked[0] is not layout:
-            lies = racked(layout)
+            lies, known = racked(layout), []
             if self._racked is not None and _moved(self._racked[0], layout) <= 1:
                 # No new rack: a hand has moved a ball, and does not turn it.
                 lies |= self._racked[1].lies
-            self._racked = layout, Lying(lies, _order([], layout))
+                known = self._racked[1].down
+            self._racked = layout, Lying(lies, _order(known, layout))
         return self._racked[1]
 
 
 class _Shot(NamedTuple):
-    """How a shot's balls turn, the balls that were down before it in order, and those that fell in it."""
+    """How a shot's balls turn, the balls that were down before it in order, those that fell, and how it ended."""
 
     turning: Turning
     before: list[str]
     fallen: list[str]
+    end: Layout
 
 
 def racked(layout: Layout) -> dict[str, Quaternion]:

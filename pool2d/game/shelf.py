@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from .. import catalogue
+from ..errors import InputError
 from ..files import to_toml, write_text
 from ..physics.values import Layout, Shot
 from ..position import write
@@ -27,3 +28,12 @@ def save(name: str, table: Table, layout: Layout, shot: Shot | None = None) -> P
 def load(name: str) -> Scenario:
     """The position of a name, or of a scenario file; raises InputError."""
     return load_scenario(catalogue.find(catalogue.POSITIONS, name))
+
+
+def remove(name: str) -> None:
+    """Throw a position that is kept away; raises InputError where that cannot be."""
+    path = catalogue.own_path(catalogue.POSITIONS, name)
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise InputError(str(path), "", None, f"cannot be removed: {error.strerror}") from error

@@ -34,6 +34,11 @@ class Aim:
         given = self.speed if speed is None else speed
         return Shot(self.angle, given, self.side, self.height, self.elevation, ball)
 
+    @classmethod
+    def of(cls, shot: Shot) -> Aim:
+        """The aim that makes a shot."""
+        return cls(shot.angle % 360.0, shot.speed, shot.side, shot.height, shot.elevation)
+
     def toward(self, dx: float, dy: float) -> Aim:
         """Aimed along (dx, dy) in table directions."""
         return replace(self, angle=math.degrees(math.atan2(dy, dx)) % 360.0)

@@ -15,6 +15,7 @@ from ..settings import GUIDES, Store
 from ..table import Table
 from . import text, theme, words
 from .dialog import Dialog
+from .drill_scene import open_drills
 from .effects import Effects
 from .keys import KEYS, action_of
 from .options import Options
@@ -93,6 +94,7 @@ class App:
         if self.scene is None:
             self._save()
             return False
+        self._follow()
         self._watch(dt)
         self._keep(dt)
         self.toasts.update(dt)
@@ -160,6 +162,9 @@ class App:
             # The hands leave the table, as they do when the window is left.
             self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
             self.scene = Options(self.scene, self.store)
+        elif action == "drills" and isinstance(self.scene, Play):
+            self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
+            self.scene = open_drills(self.scene, self.play)
         else:
             return False
         return True
@@ -187,6 +192,12 @@ class App:
             self.toast(say("window.picture_saved", path=path))
         except (OSError, pygame.error) as error:
             self.toast(say("window.picture_failed", reason=error), wrong=True)
+
+    def _follow(self) -> None:
+        """Settings and files are for the table that is on the screen."""
+        if isinstance(self.scene, Play) and self.scene is not self.play:
+            self.play = self.scene
+            self._apply()
 
     # The settings.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pygame
 
-from . import text, theme
+from . import clipboard, text, theme
 from .widgets import Widget, plate, tone
 
 
@@ -69,9 +69,9 @@ class TextField(Widget):
         if key == pygame.K_a:
             self.select_all()
         elif key == pygame.K_v:
-            self.type(_clipboard())
+            self.type(clipboard.get() or "")
         elif first != last:
-            _to_clipboard(self.value[first:last])
+            clipboard.put(self.value[first:last])
             if key == pygame.K_x:
                 self.type("")
 
@@ -119,18 +119,3 @@ class TextField(Widget):
         if focused:
             surface.fill(theme.ACCENT, (left + caret, inner.top, max(1, unit // 6), inner.height))
         surface.set_clip(before)
-
-
-def _clipboard() -> str:
-    """What has been copied, anywhere; nothing where there is no clipboard."""
-    try:
-        return pygame.scrap.get_text()
-    except (pygame.error, AttributeError):
-        return ""
-
-
-def _to_clipboard(words: str) -> None:
-    try:
-        pygame.scrap.put_text(words)
-    except (pygame.error, AttributeError):
-        return

@@ -69,9 +69,8 @@ class Hands:
         beside the ball by no more than the same movement would turn it from a few radii off, and the freer the
         farther out.
         """
-        if self.hold is not None and math.dist(pos, self.hold) < _HOLD:
+        if self.holds(pos):
             return
-        self.hold = None
         x, y = view.to_table(*pos)
         dx, dy = x - cue.x, y - cue.y
         moved = math.dist((dx, dy), self._pointed) if self._pointed is not None else math.inf
@@ -82,6 +81,12 @@ class Hands:
             limit = math.degrees(moved / (_CALM * radius)) / (1.0 - out) if out < 1.0 else math.inf
             turn = math.remainder(math.degrees(math.atan2(dy, dx)) - self.aim.angle, 360.0)
             self.aim = self.aim.toward(dx, dy) if abs(turn) <= limit else self.aim.turned(math.copysign(limit, turn))
+
+    def holds(self, pos: Pos) -> bool:
+        """Whether what was set by wheel or keys stays, with the pointer here; once it has moved off it does not."""
+        if self.hold is not None and math.dist(pos, self.hold) >= _HOLD:
+            self.hold = None
+        return self.hold is not None
 
     def grab(self, pos: Pos, screen: Screen) -> bool:
         """Take hold of a diagram, if one is there."""

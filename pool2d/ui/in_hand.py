@@ -1,30 +1,68 @@
-"""The cue ball in the player's hand: where it is held, and putting it down."""
+"""A ball in the player's hand: the cue ball that the rules give, or any that was picked up; and putting it down."""
 
 from __future__ import annotations
 
 from ..game.session import Session
+from ..physics.values import Ball
 
 Point = tuple[float, float]
 
 
 class InHand:
-    """`at` is where the ball is held over the table, m; None before a hand has moved it."""
+    """`ball` is one that was picked up, or ""; `at` is where the ball is held, m; None before a hand has moved it."""
 
     def __init__(self) -> None:
+        self.ball = ""
         self.at: Point | None = None
 
+    def take(self, ball: str, at: Point | None = None) -> None:
+        """Pick a ball up, from where it lies or straight to a place."""
+        self.ball, self.at = ball, at
+
+    def let_go(self) -> None:
+        """Forget what was done: a ball that was picked up is where it was."""
+        self.ball, self.at = "", None
+
+    def held(self, session: Session) -> Ball | None:
+        """The ball in hand, as it would stand where it is held; None where no ball is."""
+        if not self.ball and not session.in_hand:
+            return None
+        x, y = self.where(session)
+        ball = session.layout.get(self.ball or session.cue.id) or Ball(self.ball, x, y)
+        return ball.still()._replace(x=x, y=y)
+
     def where(self, session: Session) -> Point:
-        """Where the ball is held; at first on the table's head spot."""
-        return self.at or session.table.furniture.spots["head"]
+        """Where the ball is held: at first where it lies, or on the table's head spot."""
+        lies = session.layout.get(self.ball) if self.ball else None
+        return self.at or ((lies.x, lies.y) if lies is not None else session.table.furniture.spots["head"])
 
     def nudge(self, session: Session, dx: float, dy: float) -> None:
         """Move it by so much."""
         x, y = self.where(session)
         self.at = (x + dx, y + dy)
 
+    def may_stand(self, session: Session) -> bool:
+        """Whether it may be put down where it is held."""
+        ball = self.held(session)
+        if ball is None:
+            return False
+        if self._given(session):
+            return session.may_place(ball.x, ball.y)
+        radius = session.table.body_of(ball)[0]
+        return session.table.has_room(ball.x, ball.y, radius, session.layout, ignore=ball.id)
+
     def place(self, session: Session) -> bool:
-        """Put it down; False where it has no room."""
-        placed = session.place(*self.where(session))
-        if placed:
-            self.at = None
-        return placed
+        """Put it down; False, and it is still held, where it may not stand."""
+        ball = self.held(session)
+        if ball is None or not self.may_stand(session):
+            return False
+        if self._given(session):
+            session.place(ball.x, ball.y)
+        else:
+            session.arrange(session.layout.put(ball))
+        self.let_go()
+        return True
+
+    def _given(self, session: Session) -> bool:
+        """Whether the rules have given the ball, and so say where it may stand."""
+        return not self.ball or not session.free

@@ -32,8 +32,21 @@ DEFAULTS: dict[str, tuple[int, ...]] = {
     "pause": (pygame.K_p,),
     "undo": (pygame.K_u, CTRL + pygame.K_z),
     "redo": (CTRL + pygame.K_y,),
-    "call": (pygame.K_c,),
+    "call": (pygame.K_y,),
     "rack": (pygame.K_n,),
+    "same_shot": (pygame.K_F5, CTRL + pygame.K_r),
+    "next_ball": (pygame.K_x,),
+    "add_ball": (pygame.K_c, pygame.K_INSERT),
+    "remove_ball": (pygame.K_DELETE,),
+    "mirror": (pygame.K_F6,),
+    "mirror_ends": (pygame.K_F7,),
+    "copy": (CTRL + pygame.K_c,),
+    "paste": (CTRL + pygame.K_v,),
+    "save_position": (CTRL + pygame.K_s,),
+    "open_position": (CTRL + pygame.K_o,),
+    "drills": (pygame.K_F2,),
+    "next_drill": (pygame.K_F3,),
+    "solution": (pygame.K_F4,),
     "tune": (pygame.K_t,),
     "geometry": (pygame.K_b,),
     "nearer": (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS),
@@ -58,11 +71,16 @@ TOGETHER = (
     ("harder", "softer"),
     ("spin_up", "spin_left", "spin_down", "spin_right"),
     ("lower", "raise"),
+    ("next_ball", "add_ball", "remove_ball"),
+    ("mirror", "mirror_ends"),
+    ("copy", "paste"),
+    ("save_position", "open_position"),
+    ("drills", "next_drill", "solution"),
     ("nearer", "farther"),
     ("look_up", "look_left", "look_down", "look_right"),
 )
 HELD = ("fast",)
-HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "ball", "cue", "place")
+HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "ball", "cue", "place", "carry", "put")
 
 # What goes back and what only changes other keys cannot be bound; nor can going back be bound to another key.
 FIXED = ("cancel",)

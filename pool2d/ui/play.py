@@ -12,11 +12,12 @@ from ..errors import BudgetError, InputError
 from ..game.rules import AIM
 from ..game.session import Session, practice
 from ..physics.rollout import Rollout
-from ..physics.values import Shot
+from ..physics.values import Layout, Shot
 from ..preset import load_table
 from ..settings import GUIDES
 from ..table import Table
 from . import guide, play_art, stroke, telling
+from .editing import Editing
 from .effects import Effects
 from .hands import Hands
 from .help import Help
@@ -53,6 +54,7 @@ class Play:
         self.timeline = Timeline()
         self.in_hand = InHand()
         self.referee = Referee()
+        self.editing = Editing(self)
         self.tuning: Tuning | None = None
         self.effects = Effects()
         self.geometry = False
@@ -63,6 +65,7 @@ class Play:
         self._keys: dict[str, Callable[[], None]] = {
             **self.hands.keys,
             **self.stage.camera.keys,
+            **self.editing.keys,
             "strike": self._enter,
             "guide": self._next_guide,
             "fast": lambda: self._fast_forward(True),
@@ -86,6 +89,13 @@ class Play:
     def message(self) -> str:
         """What is told at present; empty where nothing is."""
         return self.told()
+
+    @property
+    def titles(self) -> tuple[str, str]:
+        """What the upper bar tells of practice, on its left and on its right."""
+        shot = say("play.shot", number=self.session.strokes + 1)
+        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=self.session.left)}"
+        return self.session.table.title, note
 
     @property
     def time(self) -> float:
@@ -112,6 +122,8 @@ class Play:
             return self
         if self.playback is not None and self.playback.review and self.timeline.handle(event, self.playback):
             return self
+        if self.editing.handle(event):
+            return self
         if event.type == pygame.KEYDOWN:
             return self._key(event.key, getattr(event, "mod", 0))
         if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
@@ -130,6 +142,7 @@ class Play:
             self._fast_forward(False)
             self.stage.camera.let_go()
             self.timeline.let_go()
+            self.editing.let_go()
             self._put_down()
         return self
 
@@ -143,17 +156,28 @@ class Play:
             # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
             dx, dy = _ARROWS[action]
             self.in_hand.nudge(self.session, 0.2 * fine_step(mod) * dx, 0.2 * fine_step(mod) * dy)
+            self.hands.hold = self.hands.pointer
         elif action in ("turn_left", "turn_right"):
             self.hands.turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
         elif action in self._keys:
             self._keys[action]()
-        return self
+        scene, self._next = self._next or self, None
+        return scene
+
+    def go_to(self, scene: Scene) -> None:
+        """Show another scene as soon as the event that is being taken is done with."""
+        self._next = scene
+
+    def tell(self, words: str) -> None:
+        """Tell this until something else is told."""
+        self.told = lambda: words
 
     def _move(self, pos: tuple[int, int]) -> None:
         if self.hands.move(pos, self.stage.screen):
             return
         if self._holding:
-            self.in_hand.at = self.stage.view.to_table(*pos)
+            if not self.hands.holds(pos):
+                self.in_hand.at = self.stage.view.to_table(*pos)
         elif not self.session.in_hand:
             cue = self.session.cue
             self.hands.point(pos, self.stage.view, cue, self.session.table.body_of(cue)[0])
@@ -180,8 +204,8 @@ class Play:
 
     @property
     def _holding(self) -> bool:
-        """Whether the player holds the cue ball."""
-        return self.session.in_hand and self.playback is None
+        """Whether the player holds a ball."""
+        return self.in_hand.held(self.session) is not None and self.playback is None
 
     def aimed(self, shot: Shot) -> str:
         """The ball that a shot would meet first; empty where it meets none."""
@@ -191,7 +215,7 @@ class Play:
 
     def begin(self, session: Session) -> None:
         """Go over to another session, and leave the one that was played."""
-        self._drop()
+        self.drop()
         self.tuning = None
         self.session.leave()
         self.session = session
@@ -203,11 +227,10 @@ class Play:
         try:
             taken = self.referee.handle(event, self.session)
         except InputError as error:
-            wrong = str(error)
-            self.told = lambda: wrong
+            self.tell(str(error))
             return True
         if self.session.match.now is not moment:
-            self._drop()
+            self.drop()
             self.told = lambda: self.referee.verdict(self.session)
         return taken
 
@@ -225,6 +248,8 @@ class Play:
         self.hands.put_down()
 
     def _cancel(self) -> None:
+        if self.editing.cancel():
+            return
         if not self.hands.busy:
             self.tuning = None
         self._put_down()
@@ -244,8 +269,7 @@ class Play:
         try:
             rollout = self.session.play(shot, self.referee.said(self.session, self.aimed(shot)))
         except (InputError, BudgetError) as error:
-            wrong = str(error)
-            self.told = lambda: wrong
+            self.tell(str(error))
             return
         self._show(Playback(rollout, shot, stroke.lead(drawn, self.effects)))
         self.told = lambda: say("play.miscue") if telling.missed(rollout) else ""
@@ -285,9 +309,16 @@ class Play:
 
     def open_table(self, name: str) -> None:
         """Go over to another preset, with a new rack; raises InputError."""
-        self.begin(practice(load_table(name), random.randrange(1 << 30)))
+        self.take_table(load_table(name))
         title = self.session.table.title
         self.told = lambda: say("play.new_table", table=title)
+
+    def take_table(self, table: Table, layout: Layout | None = None) -> None:
+        """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""
+        session = practice(table, random.randrange(1 << 30))
+        if layout is not None:
+            session.arrange(layout)
+        self.begin(session)
 
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:
@@ -302,12 +333,12 @@ class Play:
         self.vectors = not self.vectors
 
     def _undo(self) -> None:
-        self._drop()
+        self.drop()
         undone = self.session.undo()
         self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
 
     def _redo(self) -> None:
-        self._drop()
+        self.drop()
         redone = self.session.redo()
         self.told = lambda: say("play.redone") if redone else say("play.nothing_to_redo")
 
@@ -315,21 +346,18 @@ class Play:
         if not self.session.free:
             self.told = lambda: say("play.practice_only")
             return
-        self._drop()
+        self.drop()
         self.session.rack(random.randrange(1 << 30))
         self.told = lambda: say("play.new_rack")
 
-    def _drop(self) -> None:
+    def drop(self) -> None:
         """Let go of whatever is under way."""
         self.playback = None
         self.hands.put_down()
-        self.in_hand.at = None
+        self.editing.let_go()
 
     def _place(self) -> None:
-        if self.in_hand.place(self.session):
-            self.hands.hold = self.hands.pointer
-            self.told = lambda: ""
-        else:
+        if not self.editing.place():
             self.told = lambda: say("play.no_room")
 
     def change_table(self, table: Table) -> None:
@@ -375,6 +403,9 @@ class Play:
         elif self.session.in_hand or not telling.missed(shown.rollout):
             cue = self.session.cue.id
             self.told = lambda: telling.outcome(shown.rollout, cue)
+
+    def draw_marks(self, surface: pygame.Surface) -> None:
+        """Draw what is marked on the cloth, under the balls: nothing in practice."""
 
     def draw(self, surface: pygame.Surface) -> None:
         play_art.draw(surface, self)

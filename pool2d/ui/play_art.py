@@ -26,6 +26,7 @@ def draw(surface: pygame.Surface, play: Play) -> None:
     screen = hud.Screen(*surface.get_size())
     panel = play.tuning.width(screen) if play.tuning is not None else 0
     play.stage.begin(surface, play.session.table, panel)
+    play.draw_marks(surface)
     if play.playback is None:
         _at_rest(surface, play)
     else:
@@ -67,16 +68,17 @@ def hop_note(play: Play, speed: float) -> str:
 def _at_rest(surface: pygame.Surface, play: Play) -> None:
     """The balls as they lie, the guide, and the cue or the ball in hand."""
     session, stage, hands = play.session, play.stage, play.hands
+    held = play.in_hand.held(session)
+    aiming = held is None and session.ask.kind == AIM
     if play.tuning is not None and hands.pull is None:
         stage.ways(surface, play.tuning)
-    elif not session.in_hand and hands.speed > 0.0:
+    elif aiming and hands.speed > 0.0:
         stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
-    stage.balls(surface, session.layout, session.rollout)
-    if session.in_hand:
+    stage.balls(surface, session.layout, session.rollout, but=held.id if held is not None else "")
+    if held is not None:
         _area(surface, play)
-        x, y = play.in_hand.where(session)
-        stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
-    else:
+        stage.in_hand(surface, held, play.in_hand.may_stand(session))
+    elif aiming:
         cue_art.draw(surface, session.table, session.cue, hands.aim, stroke.stand(hands.drawn), stage.view)
 
 
@@ -125,10 +127,8 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
 
 def _bars(surface: pygame.Surface, play: Play) -> None:
     session, screen, hands = play.session, play.stage.screen, play.hands
-    if session.free:
-        shot = say("play.shot", number=session.strokes + 1)
-        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
-        hud.draw_bars(surface, screen, session.table.title, note)
+    if session.match.rules.players == 1:
+        hud.draw_bars(surface, screen, *play.titles)
     else:
         hud.draw_bars(surface, screen, "", "")
         # While a shot runs for the first time, what comes of it is not told yet.

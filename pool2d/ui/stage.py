@@ -56,9 +56,10 @@ class Stage:
         return self.camera.settled and self._background.settled
 
     def balls(
-        self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf
-    ) -> None:
-        """Draw every ball on the table as it lies, and those on their way into a pocket.
+        self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf,
+        but: str = "",
+    ) -> None:  # fmt: skip
+        """Draw every ball on the table as it lies, `but` one, and those on their way into a pocket.
 
         `rollout` is the shot that has led to the layout, if one has, `t` seconds after its start; without
         a time it is over.
@@ -70,7 +71,7 @@ class Stage:
             for fall in falls:
                 ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
                 balls.append(tray.sinking(fall, self._placed(ball, fall.lie)))
-        balls += [self._placed(ball, lies.get(ball.id, FACING)) for ball in layout.on_table()]
+        balls += [self._placed(ball, lies.get(ball.id, FACING)) for ball in layout.on_table() if ball.id != but]
         ball_art.draw_all(surface, balls, self.style)
         self._down = [ball for ball in down if ball != self.table.furniture.cue]
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pygame
 import pytest
 
-from pool2d.ui import field as module
-from pool2d.ui import text
+from pool2d.ui import clipboard, text
 from pool2d.ui.dialog import Ask
 from pool2d.ui.field import TextField
 
@@ -108,7 +107,8 @@ def test_without_a_clipboard_nothing_happens(monkeypatch: pytest.MonkeyPatch) ->
     made.type("def")
     made.key(pygame.K_v, CTRL)
     assert made.value == "def"
-    assert module._clipboard() == ""
+    assert clipboard.get() is None
+    assert not clipboard.put("abc")
 
 
 def test_the_pointer_sets_the_cursor_and_drags_a_selection() -> None:

@@ -81,7 +81,7 @@ def test_a_pocket_is_called_by_a_click_and_by_key(hand: Hand) -> None:
     hand.release()
     assert hand.play.referee.pocket == pocket.name
     assert session.strokes == 0
-    hand.key(pygame.K_c)
+    hand.key(pygame.K_y)
     called = hand.play.referee.pocket
     assert called == session.table.geometry.pockets[4].name
     one = session.layout["1"]

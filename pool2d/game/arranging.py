@@ -1,0 +1,57 @@
+"""Arranging balls between shots: which there are, where one has room, and a shot to play once more."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ..outline import Point
+from ..physics.values import Ball, Layout, Shot
+from ..table import Table
+from .actions import Stroke
+from .session import Session
+
+# Places are tried on rings this far apart, in radii of the ball.
+_RING = 0.5
+
+
+def missing(table: Table, layout: Layout) -> list[str]:
+    """The balls of the table's set that are not on it, the lowest number first."""
+    here = {ball.id for ball in layout.on_table()}
+    balls = dict.fromkeys((table.furniture.cue, *table.furniture.balls))
+    return sorted((ball for ball in balls if ball not in here), key=lambda ball: int(ball) if ball.isdecimal() else 0)
+
+
+def room_near(table: Table, layout: Layout, ball: Ball) -> Point | None:
+    """The place nearest to where a ball is that has room for it; None where there is none on the table."""
+    radius = table.body_of(ball)[0]
+    for x, y in _places(table, ball.x, ball.y, _RING * radius):
+        if table.has_room(x, y, radius, layout, ignore=ball.id):
+            return x, y
+    return None
+
+
+def latest(session: Session) -> tuple[Layout, Shot] | None:
+    """The balls before the last stroke, wherever they have been put since, and the shot; None before the first."""
+    for moment in reversed(session.match.history):
+        if moment.rollout is not None and isinstance(moment.action, Stroke):
+            return moment.rollout.start, moment.action.shot
+    return None
+
+
+def mirrored_shot(shot: Shot, ends: bool = False) -> Shot:
+    """The shot seen in the mirror that `placing.mirrored` holds up to the balls."""
+    angle = 180.0 - shot.angle if ends else -shot.angle
+    return replace(shot, angle=angle % 360.0, side=-shot.side if shot.side else 0.0)
+
+
+def _places(table: Table, x: float, y: float, step: float) -> Iterator[Point]:
+    """Points on rings round (x, y), from the middle outward, as far as the table goes."""
+    yield x, y
+    size = table.knobs.table
+    for ring in range(1, math.ceil(math.hypot(size.length, size.width) / step) + 1):
+        count = 6 * ring
+        for i in range(count):
+            turn = math.tau * i / count
+            yield x + ring * step * math.cos(turn), y + ring * step * math.sin(turn)

@@ -1,0 +1,25 @@
+"""The system's clipboard, where there is one."""
+
+from __future__ import annotations
+
+import pygame
+
+# A system without a clipboard, a pygame without the module, one that is too old.
+_NONE = (pygame.error, AttributeError, NotImplementedError)
+
+
+def get() -> str | None:
+    """What has been copied, anywhere; None where there is no clipboard."""
+    try:
+        return pygame.scrap.get_text()
+    except _NONE:
+        return None
+
+
+def put(words: str) -> bool:
+    """Copy a text; False where there is no clipboard."""
+    try:
+        pygame.scrap.put_text(words)
+    except _NONE:
+        return False
+    return True

@@ -1,0 +1,285 @@
+"""Drills on the screen: the shelf of them, and a table on which one is played and judged."""
+
+from __future__ import annotations
+
+import math
+
+import pygame
+
+from ..errors import BudgetError, InputError
+from ..game.drill_file import best, drills, keep, load
+from ..game.drilling import DrillSession
+from ..game.drills import Drill, Rest, judge, start
+from ..physics.simulate import simulate
+from . import pen, rulings, stroke, theme
+from .aim import Aim
+from .dialog import Dialog
+from .entry import Entry
+from .keys import KEYS
+from .play import Play
+from .playback import Playback
+from .scene import Scene
+from .widgets import Button, Heading, Widget
+from .words import say
+
+# How strongly an area of the cloth is marked, of 255.
+_TINT = 42
+
+
+def open_drills(below: Scene, play: Play) -> Scene:
+    """The shelf of drills over a scene, to which a drill goes back; it looks and sounds as `play` does."""
+    return Drills(below, play)
+
+
+class Drills(Dialog):
+    """Every drill with its goal and the best result; choosing one goes to its table."""
+
+    width = 76
+
+    def __init__(self, below: Scene, play: Play) -> None:
+        super().__init__(below, "", [])
+        self.play = play
+        self.chosen: DrillPlay | None = None
+        entries: list[Widget] = [self._entry(name) for name in drills()]
+        self.form.set_rows(
+            [
+                [Heading(lambda: say("drill.title"), theme.TEXT, large=True)],
+                [Heading(lambda: say("drill.intro"))],
+                *([entry] for entry in entries),
+                [Button(say("form.close"), self._close)],
+            ]
+        )
+
+    def handle(self, event: pygame.event.Event) -> Scene | None:
+        scene = super().handle(event)
+        return self.chosen or scene
+
+    def _entry(self, name: str) -> Widget:
+        try:
+            drill = load(name)
+        except InputError as error:
+            told = str(error)
+            return Heading(lambda: told, theme.WARNING, lines=2)
+        record = best(drill.id)
+        note = "" if record is None else say("drill.best", best=record, most=drill.most)
+
+        def do() -> None:
+            home = self.below.home if isinstance(self.below, DrillPlay) else self.below
+            self.chosen = DrillPlay(drill, home, self.play)
+
+        return Entry(title(drill), do, note, task(drill))
+
+    def _close(self) -> None:
+        self.done = True
+
+
+class DrillPlay(Play):
+    """A drill being played; Esc goes back to `home`."""
+
+    def __init__(self, drill: Drill, home: Scene, play: Play) -> None:
+        self.drilling = DrillSession(drill)
+        super().__init__(self.drilling, play.sounds)
+        self.home = home
+        self.effects, self.level = play.effects, play.level
+        self.stage.style = play.stage.style
+        self.hands.pointer = play.hands.pointer
+        self.best = best(drill.id)
+        # The strokes of the solution that are still to be shown, and what was aimed before.
+        self._shown: list[Playback] = []
+        self._aimed: Aim | None = None
+        self._keys |= {"same_shot": self._rack, "next_drill": self._next_drill, "solution": self._solution}
+        self.told = self._goal
+
+    @property
+    def titles(self) -> tuple[str, str]:
+        run = self.drilling.run
+        number = len(run.results) + (0 if run.standing.over else 1)
+        parts = [say("drill.attempt", number=number, tries=run.drill.tries)]
+        parts.append(say("drill.result", result=run.result, most=run.drill.most))
+        if self.best is not None:
+            parts.append(say("drill.best", best=self.best, most=run.drill.most))
+        return title(run.drill), "   \N{MIDDLE DOT}   ".join(parts)
+
+    # What is told.
+
+    def _goal(self) -> str:
+        keys = say("drill.keys", next=KEYS.shown("next_drill"), solution=KEYS.shown("solution"))
+        return f"{task(self.drilling.drill)} {keys}"
+
+    def _outcome(self) -> str:
+        run = self.drilling.run
+        standing, steps = run.standing, len(run.drill.steps)
+        if not standing.over:
+            return say("drill.step", done=standing.done, steps=steps)
+        parts = [rulings.missed(standing.missed) if standing.missed else say("drill.done")]
+        if standing.done >= run.drill.goal and (standing.missed or steps > 1):
+            parts.append(say("drill.reached"))
+        if run.over:
+            parts.append(say("drill.over", result=run.result, most=run.drill.most))
+            parts += [say("drill.record")] if run.result and self._beaten else []
+        parts.append(say("drill.again", key=KEYS.shown("strike")))
+        return " ".join(parts)
+
+    @property
+    def _beaten(self) -> bool:
+        return self.best is None or self.drilling.run.result > self.best
+
+    # What hands and keys lead to.
+
+    @property
+    def _between(self) -> bool:
+        """Whether an attempt is over and its balls still lie as they came to rest."""
+        return self.playback is None and self.drilling.run.standing.over
+
+    def _enter(self) -> None:
+        if self._between:
+            self._rack()
+        else:
+            super()._enter()
+
+    def _press(self, pos: tuple[int, int]) -> None:
+        screen = self.stage.screen
+        if self._between and screen.top.bottom <= pos[1] < screen.bottom.top:
+            self._rack()
+        else:
+            super()._press(pos)
+
+    def _strike(self, speed: float, drawn: bool = False) -> None:
+        before = self.drilling.run
+        super()._strike(speed, drawn)
+        run = self.drilling.run
+        if run is not before and run.standing.over and run.result:
+            try:
+                keep(run.drill.id, run.result)
+                self.warning = ""
+            except InputError as error:
+                self.warning = str(error)
+
+    def _rack(self) -> None:
+        """Set the balls up again."""
+        if self.drilling.run.over:
+            self.best = best(self.drilling.drill.id)
+        self.drilling.again()
+        self.drop()
+        self.told = self._goal
+
+    def _undo(self) -> None:
+        self.told = lambda: say("drill.no_undo", key=KEYS.shown("same_shot"))
+
+    def _tune(self) -> None:
+        self.told = lambda: say("edit.practice_only")
+
+    def _cancel(self) -> None:
+        if self.hands.busy:
+            super()._cancel()
+        elif self._shown or self.playback is not None:
+            self.drop()
+            self.told = self._outcome if self._between else self._goal
+        else:
+            self.go_to(self.home)
+
+    def _next_drill(self) -> None:
+        names = drills()
+        here = self.drilling.drill.id
+        name = names[(names.index(here) + 1) % len(names)] if here in names else names[0]
+        try:
+            self.go_to(DrillPlay(load(name), self.home, self))
+        except InputError as error:
+            self.tell(str(error))
+
+    # The solution.
+
+    def _solution(self) -> None:
+        """Show strokes that do it, from the beginning; the attempt stays where it is."""
+        drill, standing = self.drilling.drill, start(self.drilling.drill)
+        self.drop()
+        try:
+            for shot in drill.solution:
+                rollout = simulate(drill.table, standing.layout, shot)
+                standing = judge(drill, standing, rollout)
+                shown = Playback(rollout, shot, stroke.lead(False, self.effects), again=True)
+                shown.review = False
+                self._shown.append(shown)
+                if standing.over:
+                    break
+        except (InputError, BudgetError) as error:
+            self._shown = []
+            self.tell(str(error))
+            return
+        if self._shown:
+            self._show_next()
+        else:
+            self.told = lambda: say("drill.no_solution")
+
+    def _show_next(self) -> None:
+        shown = self._shown.pop(0)
+        self.hands.put_down()
+        self._show(shown)
+        if shown.shot is not None:
+            # The diagrams show how it is struck.
+            self._aimed = self._aimed or self.hands.aim
+            self.hands.aim = Aim.of(shown.shot)
+        strokes = len(self.drilling.drill.solution)
+        number = strokes - len(self._shown)
+        self.told = lambda: say("drill.solution", number=number, strokes=strokes)
+
+    def _aim_as_before(self) -> None:
+        """Aim as the player did before the solution was shown."""
+        if self._aimed is not None:
+            self.hands.aim, self._aimed = self._aimed, None
+            self.hands.hold = self.hands.pointer
+
+    def drop(self) -> None:
+        self._shown = []
+        self._aim_as_before()
+        super().drop()
+
+    def _come_to_rest(self, shown: Playback) -> None:
+        super()._come_to_rest(shown)
+        if self._shown:
+            self._show_next()
+        else:
+            self._aim_as_before()
+            self.told = self._outcome if self._between or not shown.again else self._goal
+
+    # What is marked.
+
+    def draw_marks(self, surface: pygame.Surface) -> None:
+        """The pocket that is called, and where balls have to come to rest."""
+        run = self.drilling.run
+        step = run.drill.steps[min(run.standing.done, len(run.drill.steps) - 1)]
+        view = self.stage.view
+        for rest in step.rest:
+            self._area(surface, rest)
+        for pocket in run.drill.table.geometry.pockets:
+            if pocket.name == step.pocket:
+                pen.ring(surface, theme.ACCENT, view.to_screen(pocket.x, pocket.y), pocket.radius * view.scale, 2.5)
+
+    def _area(self, surface: pygame.Surface, rest: Rest) -> None:
+        """Tint where a ball has to come to rest, its middle within."""
+        table, view = self.drilling.drill.table, self.stage.view
+        color = theme.IVORY if rest.ball == table.furniture.cue else theme.GUIDE_BALL
+        if rest.at is not None:
+            centre, radius = view.to_screen(*rest.at), rest.within * view.scale
+            if math.isfinite(radius):
+                pen.disc(surface, (*color[:3], _TINT), centre, radius)
+                pen.ring(surface, color, centre, radius, 1.5)
+            return
+        size = table.knobs.table
+        left, top = view.to_screen(max(0.0, rest.x[0]), min(size.width, rest.y[1]))
+        right, bottom = view.to_screen(min(size.length, rest.x[1]), max(0.0, rest.y[0]))
+        box = pygame.Rect(round(left), round(top), round(right - left), round(bottom - top))
+        tint = pygame.Surface(box.size, pygame.SRCALPHA)
+        tint.fill((*color[:3], _TINT))
+        surface.blit(tint, box)
+        pygame.draw.rect(surface, color, box, 1)
+
+
+def title(drill: Drill) -> str:
+    """A drill's name in the player's language."""
+    return rulings.wording(drill).name
+
+
+def task(drill: Drill) -> str:
+    """What a drill asks for, in the player's language."""
+    return rulings.wording(drill).text
