@@ -17,6 +17,7 @@ from . import text, theme, words
 from .dialog import Dialog
 from .effects import Effects
 from .keys import KEYS, action_of
+from .lobby import Lobby
 from .options import Options
 from .play import Play
 from .scene import Scene
@@ -36,7 +37,7 @@ class App:
     """A window on a table. `step` is one frame; tests post events and call it as the loop does.
 
     `store` is the player's settings; without one they are the defaults and are not kept. `surface` is the
-    window, where it is open already.
+    window, where it is open already. With `menu` it opens with the menu, else with practice.
     """
 
     def __init__(
@@ -46,6 +47,7 @@ class App:
         size: tuple[int, int] = SIZE,
         store: Store | None = None,
         surface: pygame.Surface | None = None,
+        menu: bool = False,
     ) -> None:
         self.store = store or Store()
         self.surface = surface or open_window(size, self.store.values.screen.full)
@@ -54,7 +56,6 @@ class App:
         pygame.display.set_caption(f"pool2d \N{EN DASH} {table.title}")
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
-        self.scene: Scene | None = self.play
         self.toasts = Toasts()
         self._files = Watched(table)
         self._came: list[pygame.event.Event] = []
@@ -62,6 +63,8 @@ class App:
         self.store.listeners.append(self._apply)
         self._apply()
         self._take_keys()
+        self.lobby = Lobby(self.play, self.store, lambda said: self.toast(said, wrong=True))
+        self.scene: Scene | None = self.lobby.menu() if menu else self.play
         for error in self.store.complaints:
             self.toast(str(error), wrong=True)
 
@@ -120,6 +123,7 @@ class App:
 
     def close(self) -> None:
         self._save()
+        self.play.session.leave()
         pygame.display.quit()
         self.sounds.close()
 

@@ -16,6 +16,8 @@ class TextField(Widget):
     """
 
     rows = 2.4
+    # Its cursor and its edge show the focus.
+    ringed = False
 
     def __init__(self, label: str, value: str = "", limit: int = 40) -> None:
         super().__init__()

@@ -55,6 +55,9 @@ class Play:
         self.vectors = False
         self.told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
         self.warning = ""
+        # What opens where Esc finds nothing to put away, and once a shot has ended the frame.
+        self.paused: Callable[[], Scene | None] = lambda: None
+        self.ended: Callable[[], Scene | None] = lambda: None
         self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {
             **self.hands.keys,
@@ -140,7 +143,8 @@ class Play:
             self.hands.turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
         elif action in self._keys:
             self._keys[action]()
-        return self
+        scene, self._next = self._next or self, None
+        return scene
 
     def _move(self, pos: tuple[int, int]) -> None:
         if self.hands.move(pos, self.stage.screen):
@@ -188,6 +192,8 @@ class Play:
         self.hands.put_down()
 
     def _cancel(self) -> None:
+        if self.tuning is None and self.playback is None and not self.hands.busy:
+            self._next = self.paused()
         if not self.hands.busy:
             self.tuning = None
         self._put_down()
@@ -246,11 +252,17 @@ class Play:
 
     def open_table(self, name: str) -> None:
         """Go over to another preset, with a new rack; raises InputError."""
-        self._drop()
-        self.tuning = None
-        self.session = practice(load_table(name), random.randrange(1 << 30))
+        self.begin(practice(load_table(name), random.randrange(1 << 30)))
         title = self.session.table.title
         self.told = lambda: say("play.new_table", table=title)
+
+    def begin(self, session: Session) -> None:
+        """Go over to another session; the one so far lets go of its record."""
+        self._drop()
+        self.tuning = None
+        self.session.leave()
+        self.session = session
+        self.told = lambda: ""
 
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:
@@ -308,7 +320,8 @@ class Play:
             self.sounds.play_events(self.session.table, self.playback.rollout, before, self.playback.time)
             if self.playback.over:
                 self._come_to_rest(self.playback)
-        return self
+        scene, self._next = self._next or self, None
+        return scene
 
     def _come_to_rest(self, shown: Playback) -> None:
         self.playback = None
@@ -326,6 +339,8 @@ class Play:
         elif self.session.in_hand or not telling.missed(shown.rollout):
             cue = self.session.cue.id
             self.told = lambda: telling.outcome(shown.rollout, cue)
+        if not shown.again:
+            self._next = self.ended()
 
     def draw(self, surface: pygame.Surface) -> None:
         play_art.draw(surface, self)
