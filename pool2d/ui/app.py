@@ -212,6 +212,7 @@ class App:
         """Keep what hands have changed in play, and write it once it has settled."""
         if GUIDES[self.play.level] != self.store.values.aiming.guide:
             self.store.turn("aiming.guide", GUIDES[self.play.level])
+        self.lobby.watch()
         while text.failed:
             self.toast(say("window.font_failed", path=text.failed.pop()), wrong=True)
         self._unsaved += dt

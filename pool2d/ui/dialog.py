@@ -15,6 +15,13 @@ from .widgets import Button, Gap, Heading, Widget
 from .words import say
 
 
+def ground(scene: Scene) -> Scene:
+    """What lies below all dialogs of a scene: one that is asked over another hides it."""
+    while isinstance(scene, Dialog):
+        scene = scene.below
+    return scene
+
+
 class Dialog:
     """Some rows of widgets in the middle of the window; Esc, or setting `done`, goes back, `go` goes elsewhere.
 
@@ -64,7 +71,7 @@ class Dialog:
         return after
 
     def draw(self, surface: pygame.Surface) -> None:
-        self.below.draw(surface)
+        ground(self.below).draw(surface)
         shapes.veil(surface)
         unit = Screen(*surface.get_size()).unit
         height = min(self.form.height(unit) + 4 * unit, surface.get_height() - 4 * unit)

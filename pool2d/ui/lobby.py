@@ -35,6 +35,7 @@ class Lobby:
         self.store = store
         self.tell = tell
         self.more: list[Entry] = []
+        self._told: InputError | None = None
         play.paused = self.pause
         play.ended = self.ended
 
@@ -44,7 +45,7 @@ class Lobby:
         """What the game can be asked for."""
         entries = [
             *self._going_on(),
-            Entry(lambda: say("menu.new"), self._new_match),
+            Entry(lambda: say("menu.new"), lambda: self._new_match(menu)),
             Entry(lambda: say("menu.practice"), lambda: self.play),
             *self.more,
             *self._always(lambda: menu),
@@ -84,6 +85,14 @@ class Lobby:
             self.play.begin(practice(self.play.session.table, _seed()))
         return self.menu()
 
+    def watch(self) -> None:
+        """Tell once where the record of the match can no longer be written."""
+        recorder = self.play.session.recorder
+        fault = None if recorder is None else recorder.fault
+        if fault is not None and fault is not self._told:
+            self.tell(str(fault))
+        self._told = fault
+
     # What entries lead to.
 
     def _always(self, here: Callable[[], Scene]) -> list[Entry]:
@@ -113,8 +122,8 @@ class Lobby:
             return self.menu()
         return self.begin(Session(recorder.match, recorder))
 
-    def _new_match(self) -> Scene:
-        return NewMatch(self.menu(), self.store, self.play.session.table, self.begin)
+    def _new_match(self, menu: Scene) -> Scene:
+        return NewMatch(menu, self.store, self.play.session.table, self.begin)
 
     def _ask_to_concede(self, menu: Scene) -> Scene:
         session = self.play.session
@@ -143,10 +152,10 @@ def _seed() -> int:
     return random.randrange(1 << 30)
 
 
-def _told(path: Path) -> Callable[[], str]:
-    """What a record says of its match: the game, the names, the score and when it was played last."""
+def _told(path: Path) -> Callable[[], tuple[str, str]]:
+    """What a record says of its match: the players with the score, the game and when it was played last."""
     record = load(path, torn=True)
     when = time.strftime("%Y-%m-%d %H:%M", time.localtime(path.stat().st_mtime))
-    names = record.setup.names
-    score = f" {record.frames[0]}:{record.frames[1]} " if record.frames else " \N{EN DASH} "
-    return lambda: "   \N{MIDDLE DOT}   ".join((say(f"game.{record.setup.game}"), score.join(names), when))
+    score = f" {record.frames[0]} : {record.frames[1]} " if record.frames else " \N{EN DASH} "
+    players = score.join(record.setup.names)
+    return lambda: (players, f"{say(f'game.{record.setup.game}')}   \N{MIDDLE DOT}   {when}")

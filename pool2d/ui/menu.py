@@ -15,14 +15,14 @@ from .words import say
 
 
 class Entry(NamedTuple):
-    """A line of a menu: its text, the scene it leads to, None to quit, and perhaps more in small letters.
+    """A line of a menu: its text, the scene it leads to, None to quit, and perhaps small lines below.
 
     The texts are asked anew for every picture, as the language may change.
     """
 
     label: Callable[[], str]
     do: Callable[[], Scene | None]
-    detail: Callable[[], str] | None = None
+    details: Callable[[], Sequence[str]] = tuple
 
 
 class Item(Widget):
@@ -34,7 +34,7 @@ class Item(Widget):
         super().__init__()
         self.entry = entry
         self.choose = choose
-        self.rows = 2.5 if entry.detail else 1.5
+        self.rows = 1.5 + 0.75 * len(entry.details())
         # The menu sets it; it is marked also where the focus came with the mouse.
         self.here = False
 
@@ -56,13 +56,13 @@ class Item(Widget):
             shapes.rounded(surface, mark, theme.ACCENT, unit // 2)
         left, width = box.left + 2 * unit, box.width - 4 * unit
         color = theme.ACCENT_LIT if self.here else theme.TEXT
+        y = box.top + unit * 2
         label = text.fitted(self.entry.label(), unit * 9 // 4, width)
-        if self.entry.detail is None:
-            text.draw(surface, label, unit * 9 // 4, color, (left, box.centery), (0.0, 0.5))
-            return
-        text.draw(surface, label, unit * 9 // 4, color, (left, box.top + unit * 9 // 4), (0.0, 0.5))
-        detail = text.fitted(self.entry.detail(), unit * 3 // 2, width)
-        text.draw(surface, detail, unit * 3 // 2, theme.QUIET, (left, box.bottom - unit * 9 // 4), (0.0, 0.5))
+        text.draw(surface, label, unit * 9 // 4, color, (left, y), (0.0, 0.5))
+        for detail in self.entry.details():
+            y += unit * 9 // 4
+            shown = text.fitted(detail, unit * 3 // 2, width)
+            text.draw(surface, shown, unit * 3 // 2, theme.QUIET, (left, y), (0.0, 0.5))
 
 
 class Menu(Dialog):

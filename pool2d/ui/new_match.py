@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from ..errors import InputError
 from ..game.match import BREAKS, Setup
 from ..game.rules import GAMES, games_for
+from ..game.rules.base import YES_NO
 from ..game.session import PRACTICE, Session, recorded
 from ..knobs import Knob, walk
 from ..preset import load_table, presets, read_preset
@@ -51,7 +52,7 @@ class NewMatch(Dialog):
         self.wrong = ""
         self._tables: dict[str, Table | None] = {table.source: table}
         players = store.values.players
-        self.fields = [_name_field(name, value) for name, value in zip(_SETTINGS, players.names, strict=True)]
+        self.fields = [_name_field(number, name) for number, name in enumerate(players.names)]
         self._take_table(self.table)
 
     @property
@@ -64,7 +65,7 @@ class NewMatch(Dialog):
     def names(self) -> tuple[str, ...]:
         """The players as they are called in the match."""
         given = [field.value.strip() for field in self.fields]
-        return tuple(name or say("match.player", number=i) for i, name in enumerate(given, 1))
+        return tuple(name or field.instead for name, field in zip(given, self.fields, strict=True))
 
     def start(self) -> None:
         """Begin the match; what speaks against it is told."""
@@ -129,7 +130,7 @@ class NewMatch(Dialog):
         def get() -> float | str:
             return self.options.get(name, knob.default)
 
-        if knob.choices == ("yes", "no"):
+        if knob.choices == YES_NO:
             return Toggle(label, lambda: get() == "yes", lambda on: put("yes" if on else "no"), hint)
         if knob.choices:
             return Choice(label, lambda: knob.choices, lambda: str(get()), put, hint, _choice)
@@ -179,9 +180,11 @@ class NewMatch(Dialog):
         self.done = True
 
 
-def _name_field(name: str, value: str) -> TextField:
+def _name_field(player: int, value: str) -> TextField:
+    name = _SETTINGS[player]
     field = TextField(say(f"setting.{name}"), value)
     field.hint = say(f"setting.{name}_hint")
+    field.instead = say("match.player", number=player + 1)
     return field
 
 

@@ -10,6 +10,10 @@ from pathlib import Path
 import pytest
 
 from pool2d.assets import asset
+from pool2d.game.match import BREAKS
+from pool2d.game.rules import GAMES
+from pool2d.game.rules.base import YES_NO
+from pool2d.game.session import PRACTICE
 from pool2d.knobs import walk
 from pool2d.preset import conditions
 from pool2d.settings import GUIDES, Settings
@@ -102,6 +106,11 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [f"tuning.page.{page}" for page in tuning.PAGES]
     wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in vectors.LEGEND]
+    wanted += [f"game.{name}" for name in GAMES if name != PRACTICE]
+    wanted += [f"match.breaks_by.{name}" for name in BREAKS]
+    options = [(name, knob) for rules in GAMES.values() for name, knob, _ in walk(rules.options_type())]
+    wanted += [f"option.{name}{ending}" for name, _ in options for ending in ("", "_hint")]
+    wanted += [f"choice.{value}" for _, knob in options if knob.choices != YES_NO for value in knob.choices]
     assert [key for key in wanted if key not in ENGLISH] == []
 
 
