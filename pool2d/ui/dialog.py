@@ -121,7 +121,10 @@ class Confirm(Dialog):
         super().__init__(
             below,
             question,
-            [[Button(say("form.cancel"), self._cancel), Button(yes, lambda: self.go(do()), strong=True)]],
+            [
+                [Gap(0.3)],
+                [Button(say("form.cancel"), self._cancel), Button(yes, lambda: self.go(do()), strong=True)],
+            ],
         )
 
     def _cancel(self) -> None:

@@ -90,18 +90,18 @@ class Grid(Widget):
     def __init__(self, lines: Sequence[tuple[str, str, str]]) -> None:
         super().__init__()
         self.lines = lines
-        self.rows = 0.9 * len(lines)
+        self.rows = float(len(lines))
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
-        size, pitch = unit * 7 // 4, self.rect.height / max(1, len(self.lines))
+        size, pitch, side = unit * 7 // 4, self.rect.height / max(1, len(self.lines)), self.rect.width // 8
         for i, (label, mine, theirs) in enumerate(self.lines):
             y = self.rect.top + (i + 0.5) * pitch
             if i:
                 line = pygame.Rect(self.rect.left, round(y - pitch / 2), self.rect.width, 1)
                 surface.fill(theme.EDGE, line)
             text.draw(surface, label, size, theme.QUIET, (self.rect.centerx, y), (0.5, 0.5))
-            text.draw(surface, mine, size, theme.TEXT, (self.rect.left + 4 * unit, y), (0.0, 0.5))
-            text.draw(surface, theirs, size, theme.TEXT, (self.rect.right - 4 * unit, y), (1.0, 0.5))
+            text.draw(surface, mine, size, theme.TEXT, (self.rect.left + side, y), (0.5, 0.5))
+            text.draw(surface, theirs, size, theme.TEXT, (self.rect.right - side, y), (0.5, 0.5))
 
 
 def statistics(match: Match) -> list[tuple[str, str, str]]:
