@@ -11,8 +11,8 @@ from ..physics.values import POCKETED, Layout, Shot
 from ..position import Position
 from ..table import Table
 from .report import BALL, POCKET, RAIL, Report
-from .report import read as report_of
 from .rules.spotting import nearest, put
+from .witness import read as report_of
 
 ANY = "any"
 
