@@ -9,6 +9,7 @@ import pygame
 from ..game.match import Match
 from . import text, theme
 from .dialog import Dialog
+from .rulings import title
 from .scene import Scene
 from .widgets import Button, Gap, Heading, Widget
 from .words import number, say
@@ -21,10 +22,10 @@ class FrameOver(Dialog):
         self, below: Scene, match: Match, on: Callable[[], Scene], leave: Callable[[], Scene]
     ) -> None:  # fmt: skip
         winner = match.state.winner
-        title = say("ended.draw") if winner is None else say("ended.frame", name=match.names[winner])
+        won = say("ended.draw") if winner is None else say("ended.frame", name=match.names[winner])
         super().__init__(
             below,
-            title,
+            won,
             [
                 [Heading(lambda: say("ended.race", count=match.setup.race))],
                 [Score(match)],
@@ -47,7 +48,7 @@ class MatchOver(Dialog):
             below,
             say("ended.match", name=match.names[match.winner]),
             [
-                [Heading(lambda: say(f"game.{match.setup.game}"))],
+                [Heading(lambda: title(match.setup.game))],
                 [Score(match)],
                 [Gap(0.2)],
                 [Grid(statistics(match))],

@@ -11,7 +11,7 @@ from pathlib import Path
 from ..errors import InputError
 from ..game.record import load
 from ..game.recorder import resume, unfinished
-from ..game.session import Session, practice, recorded
+from ..game.session import PRACTICE, Session, practice, recorded
 from ..settings import Store
 from .dialog import Confirm
 from .ended import FrameOver, MatchOver
@@ -20,6 +20,7 @@ from .menu import Banner, Entry, Menu, pause_menu
 from .new_match import NewMatch
 from .options import Options
 from .play import Play
+from .rulings import title
 from .scene import Scene
 from .words import say
 
@@ -46,7 +47,7 @@ class Lobby:
         entries = [
             *self._going_on(),
             Entry(lambda: say("menu.new"), lambda: self._new_match(menu)),
-            Entry(lambda: say("menu.practice"), lambda: self.play),
+            Entry(lambda: title(PRACTICE), lambda: self.play),
             *self.more,
             *self._always(lambda: menu),
         ]
@@ -158,4 +159,4 @@ def _told(path: Path) -> Callable[[], tuple[str, str]]:
     when = time.strftime("%Y-%m-%d %H:%M", time.localtime(path.stat().st_mtime))
     score = f" {record.frames[0]} : {record.frames[1]} " if record.frames else " \N{EN DASH} "
     players = score.join(record.setup.names)
-    return lambda: (players, f"{say(f'game.{record.setup.game}')}   \N{MIDDLE DOT}   {when}")
+    return lambda: (players, f"{title(record.setup.game)}   \N{MIDDLE DOT}   {when}")

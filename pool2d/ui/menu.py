@@ -8,7 +8,7 @@ from typing import NamedTuple
 import pygame
 
 from . import shapes, text, theme
-from .dialog import Dialog
+from .dialog import Dialog, ground
 from .scene import Scene
 from .widgets import Gap, Heading, Widget
 from .words import say
@@ -77,6 +77,10 @@ class Menu(Dialog):
         rows += [[item] for item in self.items]
         self.form.set_rows(rows)
         self.form.focus = self.items[0]
+
+    @property
+    def still(self) -> bool:
+        return ground(self.below).still
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         after = super().handle(event)

@@ -14,13 +14,13 @@ from ..knobs import Knob, walk
 from ..preset import load_table, presets, read_preset
 from ..settings import Store
 from ..table import Table
-from . import theme
+from . import rulings, theme
 from .dialog import Dialog
 from .field import TextField
 from .inputs import Choice
 from .scene import Scene
 from .widgets import Button, Gap, Heading, Toggle, Widget
-from .words import say, say_or
+from .words import say
 
 COIN = "coin"
 _RACES = tuple(str(frames) for frames in (*range(1, 16), 17, 19, 21, 25, 35))
@@ -122,7 +122,7 @@ class NewMatch(Dialog):
         return [self._option(name, knob) for name, knob, _ in walk(GAMES[self.game].options_type())]
 
     def _option(self, name: str, knob: Knob) -> Widget:
-        label, hint = say(f"option.{name}"), say(f"option.{name}_hint")
+        label, hint = rulings.setting(name), rulings.setting_hint(self.game, name, knob.doc)
 
         def put(value: float | str) -> None:
             self.options[name] = value
@@ -189,7 +189,7 @@ def _name_field(player: int, value: str) -> TextField:
 
 
 def _game(name: str) -> str:
-    return say_or(f"game.{name}", name)
+    return rulings.title(name) if name else ""
 
 
 def _choice(value: str) -> str:

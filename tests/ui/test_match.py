@@ -19,6 +19,7 @@ def begin(hand: Hand, game: str = "eight-ball", table: str = "pool-9ft", **more:
     setup = Setup(game=game, names=("Ann", "Bob"), breaker=0, seed=4, **more)  # type: ignore[arg-type]
     session = recorded(load_table(table), setup)
     hand.play.begin(session)
+    hand.app.redraw()
     hand.app.step(0.0)
     return session
 

@@ -162,7 +162,7 @@ def test_options_are_those_of_the_game(guest: Hand) -> None:
     while dialog(guest).game != "straight":
         turn(guest, "Game")
     assert "Push out" not in told()
-    turn(guest, "Playing to")
+    turn(guest, "Target")
     click(guest, widget(guest, "Start").rect.center)
     assert guest.play.session.match.setup.options == {"target": 125.0}
 
