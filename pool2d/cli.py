@@ -24,6 +24,7 @@ _EVENTS = Knob(0, 1, 1e9, "events", "")
 # Points of all paths together that `--sample` writes.
 _MOST = 2_000_000
 _SHOTS = Knob(0, 1, 1e6, "", "")
+_TABLE = "pool-9ft"
 _STEP = Knob(0.0, 1e-6, 1e6, "s", "")
 
 
@@ -58,9 +59,11 @@ def _play(arguments: argparse.Namespace) -> int:
     def table() -> Table:
         from .preset import load_table
 
-        return load_table(arguments.table, _overrides(arguments.set), _conditions(arguments))
+        return load_table(arguments.table or _TABLE, _overrides(arguments.set), _conditions(arguments))
 
-    return play(table, seed=arguments.seed, frames=arguments.frames)
+    # Who says what to play on wants to play.
+    said = arguments.table or arguments.set or arguments.conditions or arguments.seed is not None
+    return play(table, seed=arguments.seed, frames=arguments.frames, menu=not said)
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
@@ -156,7 +159,7 @@ def _parser() -> argparse.ArgumentParser:
 
     play = command("play", _play, "Open a window and play (also without a command).")
     known = ", ".join([*catalogue.shipped(catalogue.TABLES), *catalogue.own(catalogue.TABLES)])
-    play.add_argument("--table", default="pool-9ft", help=f"a preset ({known}) or a .toml file")
+    play.add_argument("--table", default="", help=f"practise on a preset ({known}) or a .toml file")
     play.add_argument("--seed", type=int, default=None, help="the first rack's seed; without it, a new one each time")
     play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
 

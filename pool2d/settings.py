@@ -51,11 +51,24 @@ class Screen:
 
 
 @dataclass(frozen=True, slots=True)
+class Players:
+    """Empty names are Player 1 and Player 2 in the language of the window."""
+
+    first: str = words("", 40, "the name of the first player")
+    second: str = words("", 40, "the name of the second player")
+
+    @property
+    def names(self) -> tuple[str, str]:
+        return self.first, self.second
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     aiming: Aiming = field(default_factory=Aiming)
     balls: Balls = field(default_factory=Balls)
     sound: Sound = field(default_factory=Sound)
     screen: Screen = field(default_factory=Screen)
+    players: Players = field(default_factory=Players)
 
 
 class Store:

@@ -73,6 +73,12 @@ class Record:
         """Whether the match has been won or was left for good."""
         return bool(self.entries) and ("over" in self.entries[-1].data or self.entries[-1].data["do"] == LEAVE)
 
+    @property
+    def frames(self) -> tuple[int, ...]:
+        """How many frames each player had won when it was left, without playing it; empty in a race to one."""
+        won = self.entries[-1].data.get("frames", []) if self.entries else []
+        return tuple(won) if isinstance(won, list) else ()
+
 
 def matches_folder() -> Path:
     """Where the player's records are kept."""
@@ -181,6 +187,8 @@ def body_of(match: Match, do: str = "") -> dict[str, Any]:
     if not do and moment.rollout is not None:
         body["digest"] = moment.rollout.digest()
     body["state"] = digest(match)
+    if match.setup.race > 1:
+        body["frames"] = list(match.frames)
     return {**body, "over": True} if match.over else body
 
 

@@ -18,6 +18,7 @@ from .dialog import Dialog
 from .drill_scene import open_drills
 from .effects import Effects
 from .keys import KEYS, action_of
+from .lobby import Lobby
 from .options import Options
 from .play import Play
 from .scene import Scene
@@ -37,7 +38,7 @@ class App:
     """A window on a table. `step` is one frame; tests post events and call it as the loop does.
 
     `store` is the player's settings; without one they are the defaults and are not kept. `surface` is the
-    window, where it is open already.
+    window, where it is open already. With `menu` it opens with the menu, else with practice.
     """
 
     def __init__(
@@ -47,6 +48,7 @@ class App:
         size: tuple[int, int] = SIZE,
         store: Store | None = None,
         surface: pygame.Surface | None = None,
+        menu: bool = False,
     ) -> None:
         self.store = store or Store()
         self.surface = surface or open_window(size, self.store.values.screen.full)
@@ -55,7 +57,6 @@ class App:
         pygame.display.set_caption(f"pool2d \N{EN DASH} {table.title}")
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
-        self.scene: Scene | None = self.play
         self.toasts = Toasts()
         self._files = Watched(table)
         self._came: list[pygame.event.Event] = []
@@ -65,6 +66,8 @@ class App:
         self.store.listeners.append(self._apply)
         self._apply()
         self._take_keys()
+        self.lobby = Lobby(self.play, self.store, lambda said: self.toast(said, wrong=True))
+        self.scene: Scene | None = self.lobby.menu() if menu else self.play
         for error in self.store.complaints:
             self.toast(str(error), wrong=True)
 
@@ -135,6 +138,7 @@ class App:
 
     def close(self) -> None:
         self._save()
+        self.play.session.leave()
         pygame.display.quit()
         self.sounds.close()
 
@@ -233,6 +237,7 @@ class App:
         """Keep what hands have changed in play, and write it once it has settled."""
         if GUIDES[self.play.level] != self.store.values.aiming.guide:
             self.store.turn("aiming.guide", GUIDES[self.play.level])
+        self.lobby.watch()
         while text.failed:
             self.toast(say("window.font_failed", path=text.failed.pop()), wrong=True)
         self._unsaved += dt

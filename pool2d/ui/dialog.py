@@ -15,8 +15,15 @@ from .widgets import Button, Gap, Heading, Widget
 from .words import say
 
 
+def ground(scene: Scene) -> Scene:
+    """What lies below all dialogs of a scene: one that is asked over another hides it."""
+    while isinstance(scene, Dialog):
+        scene = scene.below
+    return scene
+
+
 class Dialog:
-    """Some rows of widgets in the middle of the window; Esc, or setting `done`, goes back.
+    """Some rows of widgets in the middle of the window; Esc, or setting `done`, goes back, `go` goes elsewhere.
 
     `width` is in units of the grid.
     """
@@ -26,6 +33,7 @@ class Dialog:
     def __init__(self, below: Scene, title: str, rows: list[list[Widget]]) -> None:
         self.below = below
         self.done = False
+        self._after: Scene | None = below
         self.form = Form([[Heading(lambda: title, theme.TEXT, large=True)], [Gap(0.3)], *rows])
 
     @property
@@ -45,14 +53,25 @@ class Dialog:
             self.done = True
         else:
             self.form.handle(event)
-        return self.below if self.done else self
+        return self._next()
 
     def update(self, dt: float) -> Scene | None:
         self.form.update(dt)
-        return self.below if self.done else self
+        return self._next()
+
+    def go(self, to: Scene | None) -> None:
+        """Lead to another scene than the one below; None quits."""
+        self._after, self.done = to, True
+
+    def _next(self) -> Scene | None:
+        """This scene until it is done, then what follows; it may be come back to."""
+        if not self.done:
+            return self
+        after, self._after, self.done = self._after, self.below, False
+        return after
 
     def draw(self, surface: pygame.Surface) -> None:
-        self.below.draw(surface)
+        ground(self.below).draw(surface)
         shapes.veil(surface)
         unit = Screen(*surface.get_size()).unit
         height = min(self.form.height(unit) + 4 * unit, surface.get_height() - 4 * unit)
@@ -88,6 +107,25 @@ class Ask(Dialog):
     def _ok(self) -> None:
         self.wrong = self.take(self.field.value)
         self.done = not self.wrong
+
+    def _cancel(self) -> None:
+        self.done = True
+
+
+class Confirm(Dialog):
+    """A question with a way on and a way back; `do` leads on."""
+
+    width = 44
+
+    def __init__(self, below: Scene, question: str, yes: str, do: Callable[[], Scene | None]) -> None:
+        super().__init__(
+            below,
+            question,
+            [
+                [Gap(0.3)],
+                [Button(say("form.cancel"), self._cancel), Button(yes, lambda: self.go(do()), strong=True)],
+            ],
+        )
 
     def _cancel(self) -> None:
         self.done = True

@@ -16,12 +16,16 @@ class TextField(Widget):
     """
 
     rows = 2.4
+    # Its cursor and its edge show the focus.
+    ringed = False
 
     def __init__(self, label: str, value: str = "", limit: int = 40) -> None:
         super().__init__()
         self.label = label
         self.value = value
         self.limit = limit
+        # What an empty field stands for.
+        self.instead = ""
         self.cursor = self.start = len(value)
         self._size = 14
         # How far the text is moved to the left to keep the cursor in sight, in pixels.
@@ -116,6 +120,8 @@ class TextField(Widget):
         if focused and first != last:
             surface.fill(theme.SELECTED, (left + first, inner.top, last - first, inner.height))
         text.draw(surface, self.value, size, theme.TEXT, (left, box.centery), (0.0, 0.5))
+        if not self.value and not focused:
+            text.draw(surface, self.instead, size, theme.QUIET, (inner.left, box.centery), (0.0, 0.5))
         if focused:
             surface.fill(theme.ACCENT, (left + caret, inner.top, max(1, unit // 6), inner.height))
         surface.set_clip(before)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pygame
 
 from . import shapes, text, theme
-from .field import TextField
 from .widgets import Widget, ring, scroll_mark
 
 # How long the pointer rests on a widget until its hint is shown, s.
@@ -97,10 +96,9 @@ class Form:
         surface.set_clip(self.rect)
         for widget in self.widgets:
             if widget.rect.colliderect(self.rect):
-                shown = widget is self.focus and (self.by_keys or isinstance(widget, TextField))
+                shown = widget is self.focus and (self.by_keys or not widget.ringed)
                 widget.draw(surface, self.unit, shown, widget is self._hovered)
-        # A field that is typed in shows it by its cursor and its edge.
-        if self.focus is not None and self.by_keys and not isinstance(self.focus, TextField):
+        if self.focus is not None and self.by_keys and self.focus.ringed:
             ring(surface, self.focus.rect, self.unit)
         mark = self._mark()
         if mark is not None:

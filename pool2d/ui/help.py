@@ -5,6 +5,7 @@ from __future__ import annotations
 import pygame
 
 from . import shapes, text, theme
+from .dialog import ground
 from .hud import Screen
 from .keys import HANDS, HELD, KEYS, rows
 from .scene import Scene
@@ -30,7 +31,7 @@ class Help:
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
-        self.below.draw(surface)
+        ground(self.below).draw(surface)
         screen = Screen(*surface.get_size())
         lines = [*hands(), ("", ""), *keys()]
         size, pitch, left, right = _measures(lines, screen)

@@ -113,7 +113,8 @@ class Choice(Widget):
     def turn(self, by: int) -> None:
         options = list(self.options())
         at = options.index(self.get()) if self.get() in options else 0
-        self.put(options[(at + by) % len(options)])
+        if options:
+            self.put(options[(at + by) % len(options)])
 
     def press(self, pos: tuple[int, int]) -> None:
         self.turn(-1 if pos[0] < self._middle() else 1)

@@ -61,6 +61,9 @@ class Play:
         self.vectors = False
         self.told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
         self.warning = ""
+        # What opens where Esc finds nothing to put away, and once a shot has ended the frame.
+        self.paused: Callable[[], Scene | None] = lambda: None
+        self.ended: Callable[[], Scene | None] = lambda: None
         self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {
             **self.hands.keys,
@@ -232,6 +235,7 @@ class Play:
         if self.session.match.now is not moment:
             self.drop()
             self.told = lambda: self.referee.verdict(self.session)
+            self._next = self.ended()
         return taken
 
     def _next_guide(self) -> None:
@@ -250,6 +254,8 @@ class Play:
     def _cancel(self) -> None:
         if self.editing.cancel():
             return
+        if self.tuning is None and self.playback is None and not self.hands.busy:
+            self._next = self.paused()
         if not self.hands.busy:
             self.tuning = None
         self._put_down()
@@ -383,7 +389,8 @@ class Play:
             self.sounds.play_events(self.session.table, self.playback.rollout, before, self.playback.time)
             if self.playback.over:
                 self._come_to_rest(self.playback)
-        return self
+        scene, self._next = self._next or self, None
+        return scene
 
     def _come_to_rest(self, shown: Playback) -> None:
         self.playback = None
@@ -403,6 +410,8 @@ class Play:
         elif self.session.in_hand or not telling.missed(shown.rollout):
             cue = self.session.cue.id
             self.told = lambda: telling.outcome(shown.rollout, cue)
+        if not shown.again:
+            self._next = self.ended()
 
     def draw_marks(self, surface: pygame.Surface) -> None:
         """Draw what is marked on the cloth, under the balls: nothing in practice."""

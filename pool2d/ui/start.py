@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 _UNSEEN = ("dummy", "offscreen", "evdev")
 
 
-def play(load: Callable[[], Table], seed: int | None = None, frames: int | None = None) -> int:
-    """Open a window, load the table and play; returns the exit status.
+def play(load: Callable[[], Table], seed: int | None = None, frames: int | None = None, menu: bool = False) -> int:
+    """Open a window, load the table and play, at first the menu where it is asked for; returns the exit status.
 
     Raises InputError where there is no display, and whatever `load` raises.
     """
@@ -43,7 +43,7 @@ def play(load: Callable[[], Table], seed: int | None = None, frames: int | None 
         splash.tell(0.4)
         table = load()
         splash.tell(0.7)
-        app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed, size, store, surface)
+        app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed, size, store, surface, menu)
         splash.tell(1.0)
         app.run(frames)
         app.close()

@@ -17,13 +17,14 @@ class Widget:
     """What every control has.
 
     `rows` is its height in rows of the form; `hint` is told on hovering; `greedy` ones get Tab and Esc too,
-    while they have the focus. The form keeps `held`, whether the button is down on it, and `pointer`, where
-    the pointer is while it is over it.
+    while they have the focus. A ring marks the focus; those that are not `ringed` mark it themselves. The form
+    keeps `held`, whether the button is down on it, and `pointer`, where the pointer is while it is over it.
     """
 
     rows = 1.0
     focusable = True
     greedy = False
+    ringed = True
     hint = ""
 
     def __init__(self) -> None:

@@ -11,6 +11,7 @@ import pytest
 
 from pool2d.assets import asset
 from pool2d.game.drills import MISSES
+from pool2d.game.match import BREAKS
 from pool2d.game.rules import GAMES
 from pool2d.game.rules.words import ENGLISH as RULINGS
 from pool2d.knobs import walk
@@ -114,6 +115,7 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [f"tuning.page.{page}" for page in tuning.PAGES]
     wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in vectors.LEGEND]
+    wanted += [f"match.breaks_by.{name}" for name in BREAKS]
     wanted += [f"game.{name}" for name in GAMES]
     wanted += [f"option.{name}" for _, name in OPTIONS]
     wanted += [f"choice.{value}" for knob in OPTIONS.values() for value in knob.choices]

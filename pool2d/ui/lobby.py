@@ -1,0 +1,162 @@
+"""What lies around the table: the menu, the pause, the ends of frames and matches, and the ways between them."""
+
+from __future__ import annotations
+
+import random
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from ..errors import InputError
+from ..game.record import load
+from ..game.recorder import resume, unfinished
+from ..game.session import PRACTICE, Session, practice, recorded
+from ..settings import Store
+from .dialog import Confirm
+from .ended import FrameOver, MatchOver
+from .help import Help
+from .menu import Banner, Entry, Menu, pause_menu
+from .new_match import NewMatch
+from .options import Options
+from .play import Play
+from .rulings import title
+from .scene import Scene
+from .words import say
+
+
+class Lobby:
+    """Leads from one screen to the next; `play` is the table that all of them are shown over.
+
+    `tell` tells what went wrong. `more` are entries of the menu that others add, such as drills.
+    """
+
+    def __init__(self, play: Play, store: Store, tell: Callable[[str], None]) -> None:
+        self.play = play
+        self.store = store
+        self.tell = tell
+        self.more: list[Entry] = []
+        self._told: InputError | None = None
+        play.paused = self.pause
+        play.ended = self.ended
+
+    # The scenes.
+
+    def menu(self) -> Menu:
+        """What the game can be asked for."""
+        entries = [
+            *self._going_on(),
+            Entry(lambda: say("menu.new"), lambda: self._new_match(menu)),
+            Entry(lambda: title(PRACTICE), lambda: self.play),
+            *self.more,
+            *self._always(lambda: menu),
+        ]
+        menu = Menu(self.play, Banner(), entries)
+        return menu
+
+    def pause(self) -> Scene:
+        """What can be done in the middle of a game; where its frame is over, how it ended."""
+        if (end := self.ended()) is not None:
+            return end
+        entries = [Entry(lambda: say("pause.resume"), lambda: self.play)]
+        if not self.play.session.free:
+            entries.append(Entry(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
+        entries += self._always(lambda: menu)
+        entries.insert(-1, Entry(lambda: say("pause.leave"), self.leave))
+        menu = pause_menu(self.play, entries)
+        return menu
+
+    def ended(self) -> Scene | None:
+        """How the frame or the match has ended; None while it goes on."""
+        session = self.play.session
+        if not session.match.state.over:
+            return None
+        if session.match.over:
+            return MatchOver(self.play, session.match, self._again, self.leave)
+        return FrameOver(self.play, session.match, self._next_frame, self.leave)
+
+    def begin(self, session: Session) -> Scene:
+        """Play a session, in place of the one so far; what follows from where it stands."""
+        self.play.begin(session)
+        return self.ended() or self.play
+
+    def leave(self) -> Scene:
+        """Go to the menu; a match that is left can be gone on with."""
+        if not self.play.session.free:
+            self.play.begin(practice(self.play.session.table, _seed()))
+        return self.menu()
+
+    def watch(self) -> None:
+        """Tell once where the record of the match can no longer be written."""
+        recorder = self.play.session.recorder
+        fault = None if recorder is None else recorder.fault
+        if fault is not None and fault is not self._told:
+            self.tell(str(fault))
+        self._told = fault
+
+    # What entries lead to.
+
+    def _always(self, here: Callable[[], Scene]) -> list[Entry]:
+        """The entries that every menu has."""
+        return [
+            Entry(lambda: say("options.title"), lambda: Options(here(), self.store)),
+            Entry(lambda: say("menu.help"), lambda: Help(here())),
+            Entry(lambda: say("menu.quit"), lambda: None),
+        ]
+
+    def _going_on(self) -> list[Entry]:
+        """The entry for the latest match that is not finished, if there is one."""
+        path = next(iter(unfinished()), None)
+        if path is None:
+            return []
+        try:
+            told = _told(path)
+        except (InputError, OSError):
+            return []
+        return [Entry(lambda: say("menu.continue"), lambda: self._resume(path), told)]
+
+    def _resume(self, path: Path) -> Scene | None:
+        try:
+            recorder = resume(path)
+        except InputError as error:
+            self.tell(str(error))
+            return self.menu()
+        return self.begin(Session(recorder.match, recorder))
+
+    def _new_match(self, menu: Scene) -> Scene:
+        return NewMatch(menu, self.store, self.play.session.table, self.begin)
+
+    def _ask_to_concede(self, menu: Scene) -> Scene:
+        session = self.play.session
+        name = session.match.names[session.ask.who]
+
+        def concede() -> Scene:
+            session.concede(session.ask.who)
+            return self.ended() or self.play
+
+        return Confirm(menu, say("pause.concedes", name=name), say("pause.concede"), concede)
+
+    def _next_frame(self) -> Scene:
+        self.play.session.next_frame()
+        return self.play
+
+    def _again(self) -> Scene:
+        match = self.play.session.match
+        try:
+            return self.begin(recorded(match.table, replace(match.setup, seed=_seed())))
+        except InputError as error:
+            self.tell(str(error))
+            return self.play
+
+
+def _seed() -> int:
+    return random.randrange(1 << 30)
+
+
+def _told(path: Path) -> Callable[[], tuple[str, str]]:
+    """What a record says of its match: the players with the score, the game and when it was played last."""
+    record = load(path, torn=True)
+    when = time.strftime("%Y-%m-%d %H:%M", time.localtime(path.stat().st_mtime))
+    score = f" {record.frames[0]} : {record.frames[1]} " if record.frames else " \N{EN DASH} "
+    players = score.join(record.setup.names)
+    return lambda: (players, f"{title(record.setup.game)}   \N{MIDDLE DOT}   {when}")

@@ -1,0 +1,182 @@
+"""A new match by mouse and by keyboard: only what can be played is offered, and it begins as agreed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pygame
+import pytest
+
+from pool2d import load_table
+from pool2d.game.rules import games_for
+from pool2d.game.session import PRACTICE
+from pool2d.settings import Store
+from pool2d.ui import words
+from pool2d.ui.app import App
+from pool2d.ui.inputs import Choice
+from pool2d.ui.new_match import NewMatch
+from pool2d.ui.widgets import Button, Toggle, Widget
+
+from .conftest import Hand
+
+
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
+
+
+@pytest.fixture
+def guest(tmp_path: Path) -> Iterator[Hand]:
+    app = App(load_table("pool-9ft"), seed=3, store=Store(tmp_path / "settings.toml"), menu=True)
+    pygame.event.clear()
+    hand = Hand(app)
+    hand.key(pygame.K_RETURN)
+    yield hand
+    app.close()
+    words.speak("en")
+
+
+def dialog(hand: Hand) -> NewMatch:
+    scene = hand.app.scene
+    assert isinstance(scene, NewMatch)
+    return scene
+
+
+def widget(hand: Hand, label: str) -> Widget:
+    return next(widget for widget in dialog(hand).form.widgets if getattr(widget, "label", "") == label)
+
+
+def click(hand: Hand, pos: tuple[int, int]) -> None:
+    hand.move(pos)
+    hand.press()
+    hand.release()
+
+
+def turn(hand: Hand, label: str, times: int = 1) -> None:
+    """Click a choice on."""
+    for _ in range(times):
+        place = widget(hand, label)
+        assert isinstance(place, Choice)
+        click(hand, (place.rect.right - 10, place.rect.centery))
+
+
+def test_it_begins_as_agreed(guest: Hand) -> None:
+    turn(guest, "Game")
+    turn(guest, "Race to", 2)
+    turn(guest, "Breaks first", 2)
+    turn(guest, "Breaks then")
+    turn(guest, "The nine on the break")
+    push = widget(guest, "Push out")
+    assert isinstance(push, Toggle)
+    click(guest, push.rect.center)
+    click(guest, widget(guest, "Start").rect.center)
+    assert guest.app.scene is guest.play
+    match = guest.play.session.match
+    assert match.setup.game == "nine-ball"
+    assert match.setup.options == {"nine_on_break": "spotted", "push_out": "no"}
+    assert (match.setup.race, match.setup.breaker, match.setup.breaks) == (3, 1, "winner")
+    assert match.names == ("Player 1", "Player 2")
+    assert guest.play.session.recorder is not None
+
+
+def test_by_keys_alone(guest: Hand) -> None:
+    guest.key(pygame.K_DOWN)
+    guest.key(pygame.K_RIGHT)
+    assert dialog(guest).game == "nine-ball"
+    while not isinstance(dialog(guest).form.focus, Button):
+        guest.key(pygame.K_TAB)
+    guest.key(pygame.K_TAB)
+    guest.key(pygame.K_RETURN)
+    assert guest.app.scene is guest.play and not guest.play.session.free
+
+
+def test_names_are_typed_and_kept(guest: Hand) -> None:
+    click(guest, dialog(guest).fields[0].rect.center)
+    for char in "Zoë":
+        guest.post(pygame.TEXTINPUT, text=char)
+    # A letter that is a key elsewhere is only a letter here.
+    guest.key(pygame.K_o)
+    assert dialog(guest).names == ("Zoë", "Player 2")
+    click(guest, widget(guest, "Start").rect.center)
+    assert guest.play.session.match.names == ("Zoë", "Player 2")
+    assert guest.app.store.values.players.names == ("Zoë", "")
+    guest.app._save()
+    path = guest.app.store.path
+    assert Store(path).values.players.first == "Zoë"
+
+
+def test_a_table_offers_its_own_games_alone(guest: Hand) -> None:
+    seen = set()
+    while dialog(guest).table not in seen:
+        chosen = dialog(guest)
+        seen.add(chosen.table)
+        playable = [name for name in games_for(load_table(chosen.table)) if name != PRACTICE]
+        assert chosen.games == playable
+        assert chosen.game in playable or (not playable and chosen.wrong)
+        turn(guest, "Table")
+    assert {"snooker-12ft", "carom-10ft", "l-shape"} <= seen
+
+
+def test_where_no_game_can_be_played_none_starts(guest: Hand) -> None:
+    while dialog(guest).games:
+        turn(guest, "Table")
+    assert dialog(guest).wrong
+    click(guest, widget(guest, "Start").rect.center)
+    assert dialog(guest).wrong
+    turn(guest, "Game")
+    assert dialog(guest).game == ""
+
+
+def test_a_game_is_kept_where_the_next_table_has_it_too(guest: Hand) -> None:
+    turn(guest, "Game")
+    dialog(guest)._take_table("pool-7ft")
+    assert dialog(guest).game == "nine-ball"
+    dialog(guest)._take_table("snooker-12ft")
+    assert dialog(guest).game == "snooker"
+
+
+def test_a_damaged_table_is_told_and_another_can_be_chosen(guest: Hand, tmp_path: Path) -> None:
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "zz.toml").write_text('base = "pool-9ft"\n[table]\nlength = -1\n')
+    while dialog(guest).table != "zz":
+        turn(guest, "Table")
+    assert "zz" in dialog(guest).wrong and dialog(guest).games == []
+    click(guest, widget(guest, "Start").rect.center)
+    turn(guest, "Table")
+    assert dialog(guest).wrong == "" and dialog(guest).games
+
+
+def test_a_match_that_cannot_be_recorded_is_told(guest: Hand, tmp_path: Path) -> None:
+    (tmp_path / "matches").write_text("in the way")
+    click(guest, widget(guest, "Start").rect.center)
+    assert "cannot be written" in dialog(guest).wrong
+    assert guest.play.session.free
+
+
+def test_options_are_those_of_the_game(guest: Hand) -> None:
+    def told() -> list[str]:
+        return [getattr(widget, "label", "") for widget in dialog(guest).form.widgets]
+
+    assert "Push out" not in told()
+    while dialog(guest).game != "straight":
+        turn(guest, "Game")
+    assert "Push out" not in told()
+    turn(guest, "Target")
+    click(guest, widget(guest, "Start").rect.center)
+    assert guest.play.session.match.setup.options == {"target": 125.0}
+
+
+@pytest.mark.parametrize("language", words.languages())
+@pytest.mark.parametrize("size", [(640, 360), (960, 540), (1920, 1080)])
+def test_it_can_be_drawn_in_every_game(language: str, size: tuple[int, int]) -> None:
+    app = App(load_table("pool-9ft"), seed=3, size=size, menu=True)
+    hand = Hand(app)
+    app.store.turn("screen.language", language)
+    hand.key(pygame.K_RETURN)
+    for name in dialog(hand).games:
+        dialog(hand)._take_game(name)
+        assert app.step(0.01)
+        assert dialog(hand).form.rect.bottom <= size[1]
+    app.close()
+    words.speak("en")
