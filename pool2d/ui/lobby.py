@@ -14,6 +14,7 @@ from ..game.recorder import resume, unfinished
 from ..game.session import PRACTICE, Session, practice, recorded
 from ..settings import Store
 from .dialog import Confirm
+from .drill_scene import open_drills
 from .ended import FrameOver, MatchOver
 from .help import Help
 from .menu import Banner, Entry, Menu, pause_menu
@@ -28,14 +29,13 @@ from .words import say
 class Lobby:
     """Leads from one screen to the next; `play` is the table that all of them are shown over.
 
-    `tell` tells what went wrong. `more` are entries of the menu that others add, such as drills.
+    `tell` tells what went wrong.
     """
 
     def __init__(self, play: Play, store: Store, tell: Callable[[str], None]) -> None:
         self.play = play
         self.store = store
         self.tell = tell
-        self.more: list[Entry] = []
         self._told: InputError | None = None
         play.paused = self.pause
         play.ended = self.ended
@@ -48,7 +48,7 @@ class Lobby:
             *self._going_on(),
             Entry(lambda: say("menu.new"), lambda: self._new_match(menu)),
             Entry(lambda: title(PRACTICE), lambda: self.play),
-            *self.more,
+            Entry(lambda: say("drill.title"), lambda: open_drills(menu, self.play)),
             *self._always(lambda: menu),
         ]
         menu = Menu(self.play, Banner(), entries)

@@ -18,9 +18,10 @@ from pool2d.game.session import Session, recorded
 from pool2d.ui import start, words
 from pool2d.ui.app import App
 from pool2d.ui.dialog import Confirm
+from pool2d.ui.drill_scene import Drills
 from pool2d.ui.ended import FrameOver
 from pool2d.ui.help import Help
-from pool2d.ui.menu import Entry, Menu
+from pool2d.ui.menu import Menu
 from pool2d.ui.new_match import NewMatch
 from pool2d.ui.options import Options
 from pool2d.ui.play import Play
@@ -85,13 +86,13 @@ def shown(hand: Hand) -> object:
 
 
 def test_the_menu_offers_what_there_is(guest: Hand) -> None:
-    assert labels(guest) == ["New match", "Practice", "Options", "Help", "Quit"]
+    assert labels(guest) == ["New match", "Practice", "Drills", "Options", "Help", "Quit"]
 
 
 @pytest.mark.parametrize("by_mouse", [False, True])
 def test_every_entry_leads_on_and_esc_back(guest: Hand, by_mouse: bool) -> None:
     menu = guest.app.scene
-    for label, kind in (("New match", NewMatch), ("Options", Options), ("Help", Help)):
+    for label, kind in (("New match", NewMatch), ("Drills", Drills), ("Options", Options), ("Help", Help)):
         choose(guest, label, by_mouse)
         assert shown(guest) is kind
         guest.key(pygame.K_ESCAPE)
@@ -119,15 +120,6 @@ def test_the_pointer_moves_the_mark_that_the_keys_move(guest: Hand) -> None:
 def test_the_menu_speaks_another_language_at_once(guest: Hand) -> None:
     guest.app.store.turn("screen.language", "de")
     assert labels(guest)[0] == "Neue Partie"
-
-
-def test_others_may_add_entries(guest: Hand) -> None:
-    guest.app.lobby.more.append(Entry(lambda: "Drills", lambda: guest.play))
-    guest.app.scene = guest.app.lobby.menu()
-    guest.app.step(0.0)
-    assert labels(guest)[2] == "Drills"
-    choose(guest, "Drills")
-    assert shown(guest) is Play
 
 
 def test_a_match_that_was_left_is_gone_on_with() -> None:
