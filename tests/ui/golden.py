@@ -29,8 +29,9 @@ from pool2d.ui.view import fit
 
 SIZE = (640, 360)
 FOLDER = Path(__file__).parent / "golden"
-# Levels of 255: what the mean pixel may differ by, and all but one pixel in two thousand.
-MEAN, MOST, FEW = 1.0, 24.0, 0.0005
+# Levels of 255: what the mean pixel may differ by, and all but one pixel in two thousand. pygame 2.6 draws the edges
+# of the smallest shapes otherwise than pygame-ce, by up to 35.
+MEAN, MOST, FEW = 1.0, 40.0, 0.0005
 # How many balls of a set stand side by side.
 _ACROSS = 8
 # The scenes of the documentation of which the whole window is compared.
