@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import time
 from pathlib import Path
 
 import numpy as np
@@ -28,8 +29,8 @@ SIZE = (1280, 720)
 OTHERS = ((960, 540), (1920, 1080))
 # The sheets: how many pictures side by side, and how wide each is, in pixels.
 ACROSS, WIDTH = 4, 480
-# Frames that are drawn until the picture of the table has come to rest.
-_SETTLE = 12
+# The picture of the table is drawn beside the frames: how long it is waited for at most, s.
+_PATIENCE = 30.0
 # The moving picture: its size, pictures a second, and how long a break is followed, s.
 BREAK_SIZE, RATE, LENGTH = (480, 270), 20, 5.0
 
@@ -41,11 +42,24 @@ def draw(scene: Scene, size: tuple[int, int]) -> pygame.Surface:
     app = App(load_table(scene.table), 3, size, store)
     pygame.event.clear()
     scene.go(Hand(app))
-    for _ in range(_SETTLE):
-        app.step(0.0)
+    settle(app)
     picture = app.surface.copy()
     app.close()
     return picture
+
+
+def settle(app: App) -> None:
+    """Draw frames, no time going by in them, until the picture of the table is drawn in full."""
+    shown: object = app.scene
+    while not hasattr(shown, "stage"):
+        shown = shown.below  # type: ignore[attr-defined]
+    until = time.monotonic() + _PATIENCE
+    app.step(0.0)
+    while not shown.stage.still:
+        app.step(0.0)
+        time.sleep(0.005)
+        if time.monotonic() > until:
+            raise RuntimeError("the picture of the table is not drawn")
 
 
 def sheet(pictures: list[pygame.Surface]) -> pygame.Surface:

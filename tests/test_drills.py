@@ -10,7 +10,7 @@ import pytest
 from pool2d import Ball, InputError, Layout, Shot, simulate
 from pool2d.folders import data_folder
 from pool2d.game.drill_file import best, drills, keep, load
-from pool2d.game.drills import Drill, Rest, Run, Standing, begin, faults, judge, start
+from pool2d.game.drills import MISSES, Drill, Rest, Run, Standing, begin, faults, judge, start
 from pool2d.game.report import Report
 from pool2d.physics.values import POCKETED
 
@@ -50,7 +50,7 @@ def test_a_drill_is_not_done_by_doing_nothing(name: str) -> None:
     drill = load(name)
     standing = played(drill, (Shot(0.0, 0.0, ball=drill.table.furniture.cue),))
     assert (standing.done, standing.over) == (0, True)
-    assert standing.missed
+    assert standing.missed in MISSES
 
 
 DRILL = """
@@ -67,30 +67,30 @@ def drill_of(folder: Path, step: str, top: str = "") -> Drill:
 
 
 @pytest.mark.parametrize(
-    ("step", "good", "bad"),
+    ("step", "good", "bad", "miss"),
     [
-        ('pot = "1"', "cue-1 1>", "cue-1 1|"),
-        ('pot = "1"', "cue-1 1>", "cue-1 1> cue>"),
-        ('pot = "1"\npocket = "top-left"', "cue-1 1>top-left", "cue-1 1>top-right"),
-        ('pot = "solid"', "cue-1 1>", "cue-9 9>"),
-        ('pot = "any"\nleast = 2', "cue-1 1> 9>", "cue-1 1>"),
-        ('first = "1"', "cue-1 cue-9", "cue-9 cue-1"),
-        ('first = "stripe"', "cue-9", "cue-1"),
-        ('hits = ["1", "9"]', "cue-1 cue-9", "cue-1 1-9"),
-        ('hits = ["1", "9"]\nrails = 3', "cue| cue-1 cue| cue| cue-9", "cue| cue| cue-1 cue-9 cue|"),
-        ('hits = ["stripe"]\nrails = 1', "cue-1 cue| cue-9", "cue-1 cue-9 cue|"),
-        ("rails = 2", "cue| cue| cue-1", "cue| cue-1 cue|"),
-        ("rails = 1", "cue|", ""),
-        ('pot = "1"\nbanks = 1', "cue-1 1|right 1>", "cue-1 1|top-left_jaw 1>"),
-        ("clear = true", "cue-1 1|", "cue-1 cue|"),
-        ('via = ["right", "top"]', "cue|top cue|right", "cue|right cue|left"),
-        ("driven = 3", "cue-1 1| 9> cue|", "cue-1 1| 1| cue|"),
+        ('pot = "1"', "cue-1 1>", "cue-1 1|", "not_potted"),
+        ('pot = "1"', "cue-1 1>", "cue-1 1> cue>", "cue_fell"),
+        ('pot = "1"\npocket = "top-left"', "cue-1 1>top-left", "cue-1 1>top-right", "not_potted"),
+        ('pot = "solid"', "cue-1 1>", "cue-9 9>", "not_potted"),
+        ('pot = "any"\nleast = 2', "cue-1 1> 9>", "cue-1 1>", "not_potted"),
+        ('first = "1"', "cue-1 cue-9", "cue-9 cue-1", "wrong_first"),
+        ('first = "stripe"', "cue-9", "cue-1", "wrong_first"),
+        ('hits = ["1", "9"]', "cue-1 cue-9", "cue-1 1-9", "not_all_hit"),
+        ('hits = ["1", "9"]\nrails = 3', "cue| cue-1 cue| cue| cue-9", "cue| cue| cue-1 cue-9 cue|", "few_rails"),
+        ('hits = ["stripe"]\nrails = 1', "cue-1 cue| cue-9", "cue-1 cue-9 cue|", "few_rails"),
+        ("rails = 2", "cue| cue| cue-1", "cue| cue-1 cue|", "few_rails"),
+        ("rails = 1", "cue|", "", "few_rails"),
+        ('pot = "1"\nbanks = 1', "cue-1 1|right 1>", "cue-1 1|top-left_jaw 1>", "few_banks"),
+        ("clear = true", "cue-1 1|", "cue-1 cue|", "cushion_met"),
+        ('via = ["right", "top"]', "cue|top cue|right", "cue|right cue|left", "wrong_way"),
+        ("driven = 3", "cue-1 1| 9> cue|", "cue-1 1| 1| cue|", "few_driven"),
     ],
 )  # fmt: skip
-def test_steps_are_judged(tmp_path: Path, step: str, good: str, bad: str) -> None:
+def test_steps_are_judged(tmp_path: Path, step: str, good: str, bad: str, miss: str) -> None:
     drill = drill_of(tmp_path, step)
     assert faults(drill.table, drill.steps[0], report(good), drill.layout) == ""
-    assert faults(drill.table, drill.steps[0], report(bad), drill.layout) != ""
+    assert faults(drill.table, drill.steps[0], report(bad), drill.layout) == miss
 
 
 @pytest.mark.parametrize(
@@ -109,6 +109,13 @@ def test_balls_have_to_rest_somewhere(tmp_path: Path, rest: str, places: dict[tu
     assert not Rest("1").holds(Layout([Ball("cue", 0.5, 0.5)]))
 
 
+def test_a_drill_is_told_in_the_languages_it_has(tmp_path: Path) -> None:
+    drill = drill_of(tmp_path, "", 'name = "Stop"\ntext = "Stop it."\nde.text = "Bleibt liegen."\n')
+    assert drill.said("de") == ("Stop", "Bleibt liegen.")
+    assert drill.said("en") == drill.said("fr") == ("Stop", "Stop it.")
+    assert drill_of(tmp_path, "").said("de") == ("d", "")
+
+
 def test_a_drill_goes_from_step_to_step(tmp_path: Path) -> None:
     text = 'first = "1"\n[[steps]]\nposition = "cue@0.3,0.3 9@0.6,0.3"\nfirst = "9"\n[[steps]]\nfirst = "9"'
     drill = drill_of(tmp_path, text, "tries = 3\npass = 2\n")
@@ -119,7 +126,7 @@ def test_a_drill_goes_from_step_to_step(tmp_path: Path) -> None:
     assert (second.done, second.over) == (2, False)
     assert second.layout["9"].x > 0.6
     third = judge(drill, second, simulate(drill.table, second.layout, Shot(180.0, 0.4)))
-    assert (third.done, third.over, third.missed) == (2, True, "The wrong ball was hit first.")
+    assert (third.done, third.over, third.missed) == (2, True, "wrong_first")
 
 
 def test_colours_are_spotted_where_a_step_says_so(tmp_path: Path) -> None:
@@ -146,6 +153,10 @@ def test_colours_are_spotted_where_a_step_says_so(tmp_path: Path) -> None:
         ("rest = [{ x = 3 }]", "", "steps[0].rest.x = 3: allowed are two numbers, m"),
         ("rest = [{ within = '3' }]", "", "steps[0].rest.within = '3': allowed is a number"),
         ("position = 'cue@'", "", "word = 'cue@'"),
+        ("", "name = 3\n", "name = 3: allowed is a str"),
+        ("", "de = 3\n", "de = 3: allowed is a section with name, text"),
+        ("", "de.nam = 'x'\n", "de.nam = 'x': unknown; did you mean name?"),
+        ("", "de.text = 3\n", "de.text = 3: allowed is a str"),
         ("", "pass = 2\n", "pass = 2: allowed is 1 to 1"),
         ("", "tries = 0\n", "tries = 0: allowed is 1 to 100"),
         ("", "solution = ['cue']\n", "shot = 'cue': allowed is ball:angle"),

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from pool2d import Ball, Layout, Shot, load_table, simulate
-from pool2d.game.report import BALL, POCKET, RAIL, Call, Contact, Report, read
+from pool2d.game.report import BALL, POCKET, RAIL, Call, Contact, Report
+from pool2d.game.witness import read
 
 from .rules.notation import report
 

@@ -4,6 +4,8 @@ A drill is a TOML file in `assets/drills` or the user's own `drills` folder:
 
     name = "Stop shot"
     text = "Pot the 1 and leave the cue ball where it was."
+    de.name = "Stoppball"           # both also in other languages, by their two letters
+    de.text = "Kugel 1 versenken; der Spielball bleibt liegen."
     position = "pool-9ft cue@1.0,0.635 1@1.4,0.635"
 
     [[steps]]                       # what each stroke has to do, in order
@@ -28,6 +30,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -38,10 +41,12 @@ from ..files import read_bytes, read_toml, write_text
 from ..folders import data_folder
 from ..position import read, read_shot
 from ..scenario import scenario_of
-from .drills import Drill, Rest, Step
+from .drills import Drill, Rest, Step, Wording
 
 _BEST = "best.json"
 _KEYS = ("name", "text", "position", "steps", "pass", "tries", "solution")
+_WORDING_KEYS = ("name", "text")
+_LANGUAGE = re.compile("[a-z]{2}")
 _STEP_KEYS = (
     "position", "pot", "least", "pocket", "first", "hits", "rails", "banks", "driven", "clear", "via",
     "rest", "respot",
@@ -58,7 +63,9 @@ def load(name: str) -> Drill:
     """A drill by name, or from a .toml file; raises InputError."""
     path = catalogue.find(catalogue.DRILLS, name)
     source, data = str(path), read_toml(path)
-    _known(data, _KEYS, source, "")
+    languages = tuple(filter(_LANGUAGE.fullmatch, data))
+    _known(data, (*_KEYS, *languages), source, "")
+    own = _wording(data, source, "", Wording(path.stem, ""))
     position = read(_of(data, "position", str, source, ""), source)
     scenario = scenario_of(position)
     entries = _of(data, "steps", list, source, "")
@@ -71,15 +78,29 @@ def load(name: str) -> Drill:
             raise InputError(source, key, value, f"allowed is 1 to {most}")
     return Drill(
         path.stem,
-        _of(data, "name", str, source, "", path.stem),
-        _of(data, "text", str, source, "", ""),
+        own.name,
+        own.text,
         scenario.table,
         scenario.layout,
         steps,
         goal,
         tries,
         tuple(read_shot(str(text), source) for text in _of(data, "solution", list, source, "", [])),
+        {language: _translated(data, language, source, own) for language in languages},
     )
+
+
+def _translated(data: Mapping[str, Any], language: str, source: str, own: Wording) -> Wording:
+    """A drill's words in another language, those it lacks being its own."""
+    entry = data[language]
+    if not isinstance(entry, dict):
+        raise InputError(source, language, entry, "allowed is a section with " + ", ".join(_WORDING_KEYS))
+    _known(entry, _WORDING_KEYS, source, f"{language}.")
+    return _wording(entry, source, f"{language}.", own)
+
+
+def _wording(data: Mapping[str, Any], source: str, prefix: str, default: Wording) -> Wording:
+    return Wording(*(_of(data, key, str, source, prefix, default[i]) for i, key in enumerate(_WORDING_KEYS)))
 
 
 def _step(data: Any, key: str, source: str) -> Step:

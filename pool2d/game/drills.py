@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ..physics.rollout import Rollout
@@ -11,10 +12,15 @@ from ..physics.values import POCKETED, Layout, Shot
 from ..position import Position
 from ..table import Table
 from .report import BALL, POCKET, RAIL, Report
-from .report import read as report_of
 from .rules.spotting import nearest, put
+from .witness import read as report_of
 
 ANY = "any"
+# What a stroke may fail to do; the words for each are the window's.
+MISSES = (
+    "cue_fell", "wrong_first", "not_potted", "few_banks", "not_all_hit", "few_rails", "cushion_met", "wrong_way",
+    "few_driven", "wrong_rest",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,9 +61,19 @@ class Step:
     respot: bool = False
 
 
+class Wording(NamedTuple):
+    """What a drill is called, and what is to be done."""
+
+    name: str
+    text: str
+
+
 @dataclass(frozen=True, slots=True)
 class Drill:
-    """A drill as read: `goal` is how many steps reach it, `most` the highest result."""
+    """A drill as read: `goal` is how many steps reach it, `most` the highest result.
+
+    `others` are its name and text in other languages, by their two letters.
+    """
 
     id: str
     name: str
@@ -68,10 +84,15 @@ class Drill:
     goal: int
     tries: int
     solution: tuple[Shot, ...]
+    others: Mapping[str, Wording] = field(default_factory=dict)
 
     @property
     def most(self) -> int:
         return self.tries * len(self.steps)
+
+    def said(self, language: str) -> Wording:
+        """Its name and text in a language, as they are where it has none of it."""
+        return self.others.get(language, Wording(self.name, self.text))
 
 
 class Standing(NamedTuple):
@@ -141,22 +162,22 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
 
 
 def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
-    """What a stroke failed to do of a step, in words; "" where it did all."""
+    """What a stroke failed to do of a step: one of MISSES; "" where it did all."""
     fell = [pot.ball for pot in report.pots if _is(table, pot.ball, step.pot) and step.pocket in ("", pot.pocket)]
     struck = [c.other for c in report.of(report.cue) if c.kind == BALL]
     checks = {
-        "The cue ball fell.": not report.cue_gone,
-        "The wrong ball was hit first.": not step.first or any(_is(table, b, step.first) for b in report.first),
-        "The ball was not potted.": not step.pot or len(fell) >= step.least,
-        "Too few cushions before the pocket.": not step.banks or _banks(report, fell[:1]) >= step.banks,
-        "Not every ball was hit.": all(any(_is(table, b, wanted) for b in struck) for wanted in step.hits),
-        "Too few cushions before the ball.": _rails(table, report, step.hits) >= step.rails,
-        "The cue ball met a cushion.": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
-        "The cue ball did not go round as it should.": set(step.via) <= {c.other for c in report.of(report.cue)},
-        "Too few balls reached a cushion.": len(report.driven) >= step.driven,
-        "The balls did not come to rest where they should.": all(rest.holds(layout) for rest in step.rest),
+        "cue_fell": not report.cue_gone,
+        "wrong_first": not step.first or any(_is(table, b, step.first) for b in report.first),
+        "not_potted": not step.pot or len(fell) >= step.least,
+        "few_banks": not step.banks or _banks(report, fell[:1]) >= step.banks,
+        "not_all_hit": all(any(_is(table, b, wanted) for b in struck) for wanted in step.hits),
+        "few_rails": _rails(table, report, step.hits) >= step.rails,
+        "cushion_met": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
+        "wrong_way": set(step.via) <= {c.other for c in report.of(report.cue)},
+        "few_driven": len(report.driven) >= step.driven,
+        "wrong_rest": all(rest.holds(layout) for rest in step.rest),
     }
-    return next((words for words, good in checks.items() if not good), "")
+    return next((miss for miss, good in checks.items() if not good), "")
 
 
 def _is(table: Table, ball: str, wanted: str) -> bool:

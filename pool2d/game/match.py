@@ -17,10 +17,11 @@ from ..physics.simulate import simulate
 from ..physics.values import Layout
 from ..table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
-from .report import Call, Report, read
+from .report import Call, Report
 from .rules import AIM, OVER, Ask, Choice, Ruling, State, game
 from .rules.practice import Practice
 from .tally import Tally, after_frame, after_stroke
+from .witness import read
 
 ALTERNATE, WINNER, LOSER = "alternate", "winner", "loser"
 BREAKS = (ALTERNATE, WINNER, LOSER)

@@ -90,6 +90,11 @@ class Motion:
         body.wy = self.wy + self.by * s
         body.wz = toward_zero(self.wz, self.bz * s)
 
+    def place(self, t: float) -> tuple[float, float]:
+        """Where the ball is at time `t`, m: what `at` says of it."""
+        s = t - self.t0
+        return self.x + (self.vx + self.hx * s) * s, self.y + (self.vy + self.hy * s) * s
+
     def at(self, t: float) -> Ball:
         """The ball at time `t`, within [t0, t1]."""
         s = t - self.t0

@@ -59,6 +59,8 @@ class App:
         self._files = Watched(table)
         self._came: list[pygame.event.Event] = []
         self._unsaved = 0.0
+        # Whether what rests on the screen has been drawn as it rests.
+        self._drawn = False
         self.store.listeners.append(self._apply)
         self._apply()
         self._take_keys()
@@ -68,11 +70,20 @@ class App:
     def toast(self, said: str, wrong: bool = False) -> None:
         """Show a short note over whatever is on the screen."""
         self.toasts.say(said, wrong)
+        self.redraw()
+
+    def redraw(self) -> None:
+        """Draw the next frame even where no event comes: something else has changed what is to be seen."""
+        self._drawn = False
 
     def step(self, dt: float) -> bool:
-        """Take the waiting events, let `dt` seconds pass and draw; False when the player has quit."""
+        """Take the waiting events, let `dt` seconds pass and draw; False when the player has quit.
+
+        A window that rests is not drawn again until an event comes, or `redraw` is called.
+        """
         came, self._came = self._came, []
         for event in [*came, *pygame.event.get()]:
+            self.redraw()
             if event.type == pygame.QUIT:
                 self.scene = None
             elif not self._window(event) and self.scene is not None:
@@ -85,9 +96,11 @@ class App:
         self._watch(dt)
         self._keep(dt)
         self.toasts.update(dt)
-        self.scene.draw(self.surface)
-        self.toasts.draw(self.surface)
-        pygame.display.flip()
+        if not (self._drawn and self._still):
+            self.scene.draw(self.surface)
+            self.toasts.draw(self.surface)
+            pygame.display.flip()
+            self._drawn = self._still
         return True
 
     def run(self, frames: int | None = None) -> None:
@@ -95,7 +108,7 @@ class App:
         clock = pygame.time.Clock()
         dt, count, preparing = 0.0, 0, True
         while (frames is None or count < frames) and self.step(dt):
-            if frames is None and not preparing and self._still:
+            if frames is None and not preparing and self._drawn and self._still:
                 self._rest()
                 clock.tick()
             # A long pause, such as a window being dragged, is not made up for.
@@ -179,6 +192,7 @@ class App:
 
     def _apply(self) -> None:
         """Do as the settings say."""
+        self.redraw()
         values = self.store.values
         for error in words.speak(values.screen.language):
             self.toast(str(error), wrong=True)
@@ -228,6 +242,7 @@ class App:
             self._files = Watched(table)
             self.play.warning = ""
         if self._files.changed(dt):
+            self.redraw()
             try:
                 self.play.change_table(load_table(table.source, table.set, table.conditions))
                 self.play.warning = ""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Hashable
+from concurrent.futures import Future
 
 import pygame
 
@@ -11,7 +13,7 @@ from ..table import Table
 from . import table_art, theme
 from .view import View
 
-# So many frames after the last change the picture is drawn in full.
+# So many frames after the last change the picture begins to be drawn in full.
 _REST = 8
 # What is seen from nearer is cut out of a picture this many times as large.
 _NEAR = 2
@@ -22,36 +24,64 @@ class Background:
 
     def __init__(self) -> None:
         self._whole = _Whole()
-        self._made: Hashable = None
-        self._large: tuple[pygame.Surface, View] | None = None
+        self._larger = _Painter()
+        self._waiting = False
+        self._view: View | None = None
         self._seen: Hashable = None
         self._part = pygame.Surface((1, 1))
 
     @property
     def settled(self) -> bool:
         """Whether the picture is drawn in full."""
-        return self._whole.settled
+        return self._whole.settled and not self._waiting
 
     def show(self, surface: pygame.Surface, table: Table, home: View, view: View) -> None:
         """Fill the surface with the table as `view` has it; `home` is the view of the whole of it."""
         size = surface.get_size()
         whole = self._whole.take(table, size, home)
+        moving, self._view = view != self._view, view
+        self._waiting = False
         if view == home:
             surface.blit(whole, (0, 0))
             return
         given = (whole, home)
-        if self.settled:
-            made = (table_art.content(table), size, home)
-            if made != self._made or self._large is None:
-                near = home.zoomed(_NEAR)
-                self._large = table_art.draw(table, (size[0] * _NEAR, size[1] * _NEAR), near), near
-                self._made = made
-            given = self._large
-        seen = (id(given[0]), view)
+        if self._whole.settled:
+            near = home.zoomed(_NEAR)
+            large = self._larger.take(table, (size[0] * _NEAR, size[1] * _NEAR), near)
+            self._waiting = large is None or moving
+            if large is not None:
+                given = (large, near)
+        seen = (id(given[0]), view, moving)
         if seen != self._seen:
-            self._part = _cut(*given, size, view)
+            self._part = _cut(*given, size, view, quick=moving)
             self._seen = seen
         surface.blit(self._part, (0, 0))
+
+
+class _Painter:
+    """Draws a picture beside the loop, on a thread of its own; one at a time."""
+
+    def __init__(self) -> None:
+        self._made: Hashable = None
+        self._picture: Future[pygame.Surface] | None = None
+
+    def take(self, table: Table, size: tuple[int, int], view: View) -> pygame.Surface | None:
+        """The picture as soon as it is drawn; until then None. Raises what drawing it has raised."""
+        made = (table_art.content(table), size, view)
+        if made != self._made and (self._picture is None or self._picture.done()):
+            self._made, self._picture = made, Future()
+            threading.Thread(target=_paint, args=(self._picture, table, size, view), daemon=True).start()
+        if made != self._made or self._picture is None or not self._picture.done():
+            return None
+        return self._picture.result()
+
+
+def _paint(picture: Future[pygame.Surface], table: Table, size: tuple[int, int], view: View) -> None:
+    try:
+        # One strip at a time leaves the other processors to the loop.
+        picture.set_result(table_art.draw(table, size, view, hands=1))
+    except Exception as error:
+        picture.set_exception(error)
 
 
 class _Whole:
@@ -62,29 +92,27 @@ class _Whole:
         self._picture: pygame.Surface | None = None
         # The last one drawn in full, which is what gets stretched, and its view.
         self._full: tuple[pygame.Surface, View] | None = None
-        self._waiting = 0
-
-    @property
-    def settled(self) -> bool:
-        return not self._waiting
+        self._painter = _Painter()
+        self._resting = 0
+        self.settled = False
 
     def take(self, table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
         """The picture for this frame."""
         made = (table_art.content(table), size, view)
         if made != self._made:
             self._change(table, size, view)
-            self._made = made
-        elif self._waiting:
-            self._waiting -= 1
-            if not self._waiting:
-                self._take(table_art.draw(table, size, view), view)
+            self._made, self._resting = made, 0
+        elif not self.settled:
+            self._resting += 1
+            if self._resting >= _REST and (picture := self._painter.take(table, size, view)):
+                self._take(picture, view)
         assert self._picture is not None
         return self._picture
 
     def _change(self, table: Table, size: tuple[int, int], view: View) -> None:
         """Take a picture that is there already, or else a quick one until things rest."""
         ready = table_art.kept(table, size, view) if self._picture else table_art.draw(table, size, view)
-        self._waiting = 0 if ready else _REST
+        self.settled = False
         if ready:
             self._take(ready, view)
         elif self._full and isinstance(self._made, tuple) and self._made[0] == table_art.content(table):
@@ -96,20 +124,25 @@ class _Whole:
     def _take(self, picture: pygame.Surface, view: View) -> None:
         self._picture = picture
         self._full = (picture, view)
+        self.settled = True
 
 
-def _cut(picture: pygame.Surface, given: View, size: tuple[int, int], view: View) -> pygame.Surface:
-    """What `view` shows on a surface of `size`, scaled out of a picture drawn in the view `given`."""
+def _cut(
+    picture: pygame.Surface, given: View, size: tuple[int, int], view: View, quick: bool = False
+) -> pygame.Surface:
+    """What `view` shows on a surface of `size`, scaled out of a picture drawn in the view `given`.
+
+    A `quick` one is rough: for a picture that is seen for one frame.
+    """
     factor = view.scale / given.scale
     left, top = given.to_screen(*view.to_table(0.0, 0.0))
     right, bottom = given.to_screen(*view.to_table(float(size[0]), float(size[1])))
     box = pygame.Rect(math.floor(left), math.floor(top), 0, 0)
     box.width, box.height = math.ceil(right) - box.left, math.ceil(bottom) - box.top
     box = box.clip(picture.get_rect())
-    part = pygame.Surface(size).convert() if pygame.display.get_surface() else pygame.Surface(size)
+    part = pygame.Surface(size)
     part.fill(theme.BACKGROUND)
-    scaled = pygame.transform.smoothscale(
-        picture.subsurface(box), (round(box.width * factor), round(box.height * factor))
-    )
+    scale = pygame.transform.scale if quick else pygame.transform.smoothscale
+    scaled = scale(picture.subsurface(box), (round(box.width * factor), round(box.height * factor)))
     part.blit(scaled, (round((box.left - left) * factor), round((box.top - top) * factor)))
     return part

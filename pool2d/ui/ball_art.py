@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import NamedTuple
@@ -36,7 +35,7 @@ class Placed(NamedTuple):
 
 
 # Pictures drawn before, the latest last. Like a function's cache, it changes no picture.
-_drawn: OrderedDict[Sprite, pygame.Surface] = OrderedDict()
+_drawn: dict[Sprite, pygame.Surface] = {}
 _KEPT = 512
 # Balls drawn together: more need memory that has to be fetched anew each time, fewer cost more calls.
 _BATCH = 8
@@ -101,18 +100,16 @@ def _rounded(lie: Quaternion, radius: float) -> Quaternion:
 
 def _images(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
     """The pictures of balls, those not at hand drawn together by size."""
-    missing: dict[float, dict[Sprite, None]] = {}
-    for sprite in sprites:
-        if sprite in _drawn:
-            _drawn.move_to_end(sprite)
-        else:
-            missing.setdefault(sprite.radius, {})[sprite] = None
+    images = [_drawn.get(sprite) for sprite in sprites]
+    missing: dict[float, list[int]] = {}
+    for i, image in enumerate(images):
+        if image is None:
+            missing.setdefault(sprites[i].radius, []).append(i)
     for group in missing.values():
-        together = list(group)
-        for i in range(0, len(together), _BATCH):
-            batch = together[i : i + _BATCH]
-            _drawn.update(zip(batch, render(batch), strict=True))
-    images = [_drawn[sprite] for sprite in sprites]
+        for start in range(0, len(group), _BATCH):
+            batch = group[start : start + _BATCH]
+            for i, image in zip(batch, render([sprites[i] for i in batch]), strict=True):
+                images[i] = _drawn[sprites[i]] = image
     while len(_drawn) > _KEPT:
-        _drawn.popitem(last=False)
-    return images
+        del _drawn[next(iter(_drawn))]
+    return [image for image in images if image is not None]

@@ -22,6 +22,8 @@ _TALL, _WIDE = 0.66, 0.70
 # Pictures are first drawn this large, in pixels.
 _LARGE = 96
 _BOLD = 2
+# On large balls they have so many points for each pixel.
+_FINE = 2
 
 
 def _ring(corners: int, size: float, turned: float = 0.0, waist: float = 1.0) -> Spots:
@@ -56,36 +58,42 @@ SHAPES: dict[str, list[Spots]] = {
 _HOLES = {"pink": _ring(24, 0.22)}
 
 
+@lru_cache(maxsize=64)
+def pictures(marks: tuple[str, ...], radius: float) -> Picture:
+    """The ink of marks on balls of `radius` pixels, one picture after the other."""
+    pixels = 2.0 * REACH * radius
+    side = max(_LARGE, _LARGE * math.ceil(_FINE * pixels / _LARGE))
+    # Blurred over a pixel's width beforehand, so that one may look up just the nearest point.
+    return np.stack([_picture(mark, side, round((side / pixels - 1.0) / 2.0)) for mark in marks])
+
+
 @lru_cache(maxsize=256)
-def picture(mark: str, texels: int) -> Picture:
-    """The ink of a number, or of the shape of a colour, from 0 to 1: row by row, downward; its edge is empty."""
+def _picture(mark: str, side: int, blur: int) -> Picture:
+    """The ink of a number, or of the shape of a colour, from 0 to 1: row by row, downward; its edge is empty.
+
+    Without a mark all of it is empty.
+    """
+    if not mark:
+        return np.zeros((side, side), np.float32)
     large = _shape(mark) if mark in SHAPES else _number(mark)
-    small = pygame.transform.smoothscale(large, (texels, texels))
-    ink = pygame.surfarray.array_red(small).T.astype(np.float32) / np.float32(255.0)
+    if side > _LARGE:
+        large = pygame.transform.smoothscale(large, (side, side))
+    if blur > 0:
+        large = pygame.transform.box_blur(large, blur)
+    # What is half ink stays, more and less part.
+    ink = np.clip((pygame.surfarray.array_red(large).T / 255.0 - 0.5) * 1.35 + 0.5, 0.0, 1.0).astype(np.float32)
     ink[[0, -1]] = 0.0
     ink[:, [0, -1]] = 0.0
     return ink
 
 
-def texels(radius: float) -> int:
-    """How large pictures should be for a ball of `radius` pixels: somewhat finer than the pixels."""
-    return max(8, math.ceil(2.0 * REACH * radius / 0.75) + 2)
-
-
 def sample(pictures: Picture, which: Indices, right: Picture, up: Picture) -> Picture:
-    """The ink at points of some pictures, in radii from their middles, mixed from the four nearest texels."""
-    count = pictures.shape[1]
-    column, row = ((part / REACH + 1.0) * (count / 2.0) - 0.5 for part in (right, -up))
-    left, top = (np.clip(part, 0, count - 2).astype(np.intp) for part in (column, row))
-    across, down = np.clip(column - left, 0.0, 1.0), np.clip(row - top, 0.0, 1.0)
-    flat, at = pictures.reshape(-1), (which * count + top) * count + left
-    above = flat[at] * (1.0 - across) + flat[at + 1] * across
-    at += count
-    below = flat[at] * (1.0 - across) + flat[at + 1] * across
-    ink = above * (1.0 - down) + below * down
-    # Mixing blurs: what is half ink stays, more and less part.
-    sharp: Picture = np.clip((ink - 0.5) * 1.35 + 0.5, 0.0, 1.0).astype(np.float32)
-    return sharp
+    """The ink at points of some pictures, in radii from their middles."""
+    side = pictures.shape[1]
+    scale, middle = np.float32(side / (2.0 * REACH)), np.float32(side / 2.0)
+    column, row = (right * scale + middle).astype(np.intp), (middle - up * scale).astype(np.intp)
+    ink: Picture = pictures.reshape(-1)[(which * side + row) * side + column]
+    return ink
 
 
 def _shape(name: str) -> pygame.Surface:

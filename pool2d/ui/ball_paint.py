@@ -49,22 +49,23 @@ def render(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
     turns = np.array([matrix(unit(sprite.lie)) for sprite in sprites], dtype=np.float32)
     # Turned back: the transposed matrix.
     places = np.matmul(turns.transpose(0, 2, 1), lit[:, Light.NORMAL])
-    color, gloss = _colors(sprites, places, lit[:, Light.SOFT]), lit[:, Light.GLOSS]
-    _print_all(sprites, places, lit[:, Light.SOFT], color, gloss)
+    paints = [paint_of(sprite.look, sprite.style) for sprite in sprites]
+    color, gloss = _colors(paints, places, lit[:, Light.SOFT]), lit[:, Light.GLOSS]
+    _print_all(sprites, paints, places, lit[:, Light.SOFT], color, gloss)
     color *= lit[:, Light.SHADE]
     color += gloss
     np.clip(color, 0.0, 255.0, out=color)
     alpha = np.array([[255.0 * sprite.level / LEVELS] for sprite in sprites], dtype=np.float32)
     pixels = np.empty((len(sprites), side * side, 4), dtype=np.uint8)
+    levels = color.astype(np.uint8)
     for channel in range(3):
-        pixels[:, :, 2 - channel] = color[:, channel]
+        pixels[:, :, 2 - channel] = levels[:, channel]
     pixels[:, :, 3] = lit[:, Light.COVER] * alpha
     return [pygame.image.frombuffer(picture.data, (side, side), "BGRA") for picture in pixels]
 
 
-def _colors(sprites: Sequence[Sprite], places: Floats, soft: Floats) -> Floats:
+def _colors(paints: Sequence[Paint], places: Floats, soft: Floats) -> Floats:
     """The paint (balls, 3, points): the ball's own colour, and the second beyond the stripe and on the spots."""
-    paints = [paint_of(sprite.look, sprite.style) for sprite in sprites]
     base = np.array([paint.base for paint in paints], dtype=np.float32)[:, :, None]
     other = np.array([paint.second for paint in paints], dtype=np.float32)[:, :, None] - base
     stripe = np.array([[paint.stripe] for paint in paints], dtype=np.float32)
@@ -74,7 +75,9 @@ def _colors(sprites: Sequence[Sprite], places: Floats, soft: Floats) -> Floats:
     return painted
 
 
-def _print_all(sprites: Sequence[Sprite], places: Floats, soft: Floats, color: Floats, gloss: Floats) -> None:
+def _print_all(
+    sprites: Sequence[Sprite], paints: Sequence[Paint], places: Floats, soft: Floats, color: Floats, gloss: Floats
+) -> None:
     """Print dots, numbers and shapes onto the balls' colours."""
     printed = np.zeros_like(soft)
     dotted = [i for i, sprite in enumerate(sprites) if sprite.look.dots]
@@ -84,14 +87,14 @@ def _print_all(sprites: Sequence[Sprite], places: Floats, soft: Floats, color: F
     radius = sprites[0].radius
     numbers = {i: sprite.look.number for i, sprite in enumerate(sprites) if sprite.look.number}
     _print(printed, places, numbers, 2, radius)
-    _ink(color, gloss, printed, [paint_of(sprite.look, sprite.style).ink for sprite in sprites])
+    _ink(color, gloss, printed, [paint.ink for paint in paints])
     shapes = {i: shape for i, sprite in enumerate(sprites) if sprite.style.patterned and (shape := _shape(sprite.look))}
     if shapes:
         shaped = np.zeros_like(soft)
         for axis in range(3):
             here = {i: shape for i, shape in shapes.items() if axis < 2 or i not in numbers}
             _print(shaped, places, here, axis, radius)
-        _ink(color, gloss, shaped, [paint_of(sprite.look, sprite.style).sign for sprite in sprites])
+        _ink(color, gloss, shaped, [paint.sign for paint in paints])
 
 
 def _ink(color: Floats, gloss: Floats, printed: Floats, inks: Sequence[tuple[int, ...]]) -> None:
@@ -150,13 +153,12 @@ def _print(onto: Floats, places: Floats, marks: Mapping[int, str], axis: int, ra
     """Print marks, by the balls' indices, where an axis comes out of the ball on either side."""
     if not marks:
         return
-    rows = np.array(list(marks))
-    texels = ball_marks.texels(radius)
-    pictures = np.stack([ball_marks.picture(mark, texels) for mark in marks.values()])
     count = places.shape[2]
-    inside = np.flatnonzero(np.abs(places[rows, axis]) > math.sqrt(1.0 - ball_marks.INKED**2))
-    which = inside // count
-    ball, point = rows[which], inside % count
-    flat, at = places.reshape(-1), 3 * count * ball + point
+    pictures = ball_marks.pictures(tuple(marks.get(i, "") for i in range(len(places))), radius)
+    inside = np.flatnonzero(np.abs(places[:, axis]) > math.sqrt(1.0 - ball_marks.INKED**2))
+    ball = inside // count
+    flat, at = places.reshape(-1), inside + 2 * count * ball
     right, up, out = (flat[at + part % 3 * count] for part in (axis + 1, axis + 2, axis))
-    onto[ball, point] = ball_marks.sample(pictures, which, np.copysign(right, right * out), up)
+    ink = ball_marks.sample(pictures, ball, np.copysign(right, right * out), up)
+    printed = onto.reshape(-1)
+    printed[inside] = np.maximum(printed[inside], ink)

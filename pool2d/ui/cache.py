@@ -51,14 +51,14 @@ def _code(files: tuple[str, ...]) -> str:
     return digest.hexdigest()
 
 
-def load(name: str, size: int) -> bytes | None:
+def load(name: str, size: int) -> memoryview | None:
     """A picture of `size` bytes; None where it is not there or not whole."""
     path = folder() / (name + _ENDING)
     try:
         content = path.read_bytes()
     except OSError:
         return None
-    pixels = content[:-_SUM]
+    pixels = memoryview(content)[:-_SUM]
     if len(pixels) != size or zlib.crc32(pixels).to_bytes(_SUM, "big") != content[-_SUM:]:
         return None
     with contextlib.suppress(OSError):
@@ -66,7 +66,7 @@ def load(name: str, size: int) -> bytes | None:
     return pixels
 
 
-def save(name: str, pixels: bytes) -> None:
+def save(name: str, pixels: bytes | memoryview) -> None:
     """Keep a picture, whole or not at all, and let the longest unused ones go."""
     place = folder()
     with contextlib.suppress(OSError):

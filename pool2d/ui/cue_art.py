@@ -27,6 +27,8 @@ _TIP, _FERRULE, _SHAFT, _JOINT, _FOREARM, _WRAP, _SLEEVE, _LENGTH = 0.011, 0.034
 _TAPER = ((0.0, 0.0058), (0.003, 0.0064), (0.3, 0.0066), (_SHAFT, 0.0105), (_SLEEVE, 0.0147), (_LENGTH, 0.0140))
 # A skin has so many samples across for each pixel.
 _FINE = 4
+# Skins are made for so many scales from one to the double of it.
+_SCALES = 3
 # How steeply the cue rises toward the butt when it is called level, and how far its shadow moves with height.
 _RISE, _SLANT = 0.06, 0.75
 _CHALK, _IVORY, _MAPLE = (66.0, 128.0, 184.0), (240.0, 234.0, 216.0), (224.0, 188.0, 134.0)
@@ -40,21 +42,22 @@ _EVEN, _ODD = np.uint32(0x00FF00FF), np.uint32(0xFF00FF00)
 
 @dataclass(frozen=True, slots=True)
 class _Skin:
-    """Samples by place along and across: colour times cover, as a pixel, and what is left of the ground, of 256."""
+    """Samples by place along and across: colour times cover, as a pixel, and what is left of the ground, of 256.
+
+    `fine` is how many samples there are across for each metre.
+    """
 
     light: Pixels
     left: Pixels
-
-    @property
-    def half(self) -> float:
-        """How far the skin reaches to either side, pixels."""
-        return float(self.left.shape[1] / (2.0 * _FINE))
+    fine: float
 
 
-def draw(surface: pygame.Surface, table: Table, ball: Ball, aim: Aim, back: float, view: View) -> None:
+def draw(
+    surface: pygame.Surface, table: Table, ball: Ball, aim: Aim, back: float, view: View, seen: float = 1.0
+) -> None:
     """The cue behind a ball, drawn `back` m away from it, its tip where the aim's side has it.
 
-    The surface has 32 bits a pixel, as every window has.
+    `seen` below 1 lets the table through. The surface has 32 bits a pixel, as every window has.
     """
     radius = table.body_of(ball)[0]
     angle, raised = math.radians(aim.angle), math.radians(aim.elevation)
@@ -72,34 +75,52 @@ def draw(surface: pygame.Surface, table: Table, ball: Ball, aim: Aim, back: floa
     shifts = surface.get_shifts()[:3]
     low = radius + back * math.sin(raised)
     high = low + _LENGTH * (_RISE + math.sin(raised))
-    _lay(surface, _shadow(round(view.scale), round(20.0 * high), shifts), at(0.0, low), at(_LENGTH * flat, high))
+    scale, part = _scale(view.scale), round(256.0 * seen)
+    shadow = _shadow(scale, round(20.0 * high), shifts)
+    _lay(surface, shadow, at(0.0, low), at(_LENGTH * flat, high), view.scale, part)
     # Which side of the cue is toward the light.
     facing = round(-4.0 * (right[0] * LIGHT[0] + right[1] * LIGHT[1]))
-    _lay(surface, _wood(round(view.scale), facing, shifts), at(0.0, 0.0), at(_LENGTH * flat, 0.0))
+    _lay(surface, _wood(scale, facing, shifts), at(0.0, 0.0), at(_LENGTH * flat, 0.0), view.scale, part)
 
 
-def _lay(surface: pygame.Surface, skin: _Skin, tip: tuple[float, float], butt: tuple[float, float]) -> None:
-    """Lay a skin over the surface from tip to butt."""
+def _scale(scale: float) -> int:
+    """The scale a skin is made for: one of a few, so that a camera on its way finds most of them made."""
+    return round(math.pow(2.0, round(_SCALES * math.log2(scale)) / _SCALES))
+
+
+def _lay(
+    surface: pygame.Surface, skin: _Skin, tip: tuple[float, float], butt: tuple[float, float], scale: float, part: int
+) -> None:
+    """Lay a skin over the surface from tip to butt at so many pixels for each metre, `part` of 256 of it."""
     length = math.dist(tip, butt)
     if length < 1.0:
         return
-    x, y = _near(tip, butt, skin.half, surface.get_size())
+    fine = skin.fine / scale
+    x, y = _near(tip, butt, skin.left.shape[1] / (2.0 * fine), surface.get_size())
     dx, dy = (butt[0] - tip[0]) / length, (butt[1] - tip[1]) / length
     u, v = (x - tip[0]).astype(np.float32), (y - tip[1]).astype(np.float32)
     rows, columns = skin.left.shape
     # The first and the last row are empty: what lies beyond an end takes those.
     along = np.clip((u * dx + v * dy) * ((rows - 2) / length) + 1.0, 0.0, rows - 1.0).astype(np.intp)
-    beside = np.clip((v * dx - u * dy) * _FINE + columns / 2.0, 0.0, columns - 1.0).astype(np.intp)
+    beside = np.clip((v * dx - u * dy) * fine + columns / 2.0, 0.0, columns - 1.0).astype(np.intp)
     sample = along * columns + beside
     pixels = np.asarray(surface.get_view("0")).view(np.uint32)
     place = y * (surface.get_pitch() // 4) + x
     seen = (y >= 0) & (y < surface.get_height()) & (x >= 0) & (x < surface.get_width())
     if not seen.all():
         place, sample = place[seen], sample[seen]
-    ground, left = pixels.take(place), skin.left.reshape(-1).take(sample)
-    even = (((ground & _EVEN) * left) >> 8) & _EVEN
-    odd = (((ground & _ODD) >> 8) * left) & _ODD
-    pixels[place] = (even | odd) + skin.light.reshape(-1).take(sample)
+    light, left = skin.light.reshape(-1).take(sample), skin.left.reshape(-1).take(sample)
+    if part < 256:
+        light = _dimmed(light, np.uint32(part))
+        left = np.asarray(256 - (((256 - left) * np.uint32(part)) >> 8), np.uint32)
+    pixels[place] = _dimmed(pixels.take(place), left) + light
+
+
+def _dimmed(pixels: Pixels, part: Pixels | np.uint32) -> Pixels:
+    """Pixels with so much of each byte, of 256."""
+    even = (((pixels & _EVEN) * part) >> 8) & _EVEN
+    odd = (((pixels & _ODD) >> 8) * part) & _ODD
+    return np.asarray(even | odd, np.uint32)
 
 
 def _near(
@@ -129,7 +150,7 @@ def _wood(scale: int, facing: int, shifts: tuple[int, ...]) -> _Skin:
     light = 0.42 + 0.60 * crown + 0.20 * side * toward
     gleam = 0.34 * np.exp(-(((side - 0.55 * toward) / 0.24) ** 2)) * np.where(along < _TIP, 0.2, 1.0)
     color = [np.minimum(tone * light + 150.0 * gleam, 255.0) for tone in _colors(along, across, side)]
-    return _skin(color, np.clip(0.5 + (half - np.abs(across)) * scale, 0.0, 1.0), shifts)
+    return _skin(color, np.clip(0.5 + (half - np.abs(across)) * scale, 0.0, 1.0), scale, shifts)
 
 
 @lru_cache(maxsize=4)
@@ -141,7 +162,7 @@ def _shadow(scale: int, high: int, shifts: tuple[int, ...]) -> _Skin:
     blur = 0.004 + soft * along / _LENGTH
     fade = ramp((half - np.abs(across)) / blur, -1.0, 1.0) * (0.46 - 0.16 * along / _LENGTH)
     fade = fade * ramp(along, 0.0, 0.006) * ramp(along, _LENGTH, _LENGTH - 2.0 * soft)
-    return _skin([np.zeros_like(fade)] * 3, fade, shifts)
+    return _skin([np.zeros_like(fade)] * 3, fade, scale, shifts)
 
 
 def _half(along: Array) -> Array:
@@ -157,7 +178,7 @@ def _grid(scale: int, half: float) -> tuple[Array, Array]:
     return along.astype(np.float32)[:, None], across.astype(np.float32)[None, :]
 
 
-def _skin(color: list[Array], cover: Array, shifts: tuple[int, ...]) -> _Skin:
+def _skin(color: list[Array], cover: Array, scale: int, shifts: tuple[int, ...]) -> _Skin:
     """A skin of a colour where it covers, with an empty row at either end; `shifts` is how a pixel is packed."""
     left = np.full((cover.shape[0] + 2, cover.shape[1]), 256, np.uint32)
     left[1:-1] = np.rint(256.0 * (1.0 - cover))
@@ -165,7 +186,7 @@ def _skin(color: list[Array], cover: Array, shifts: tuple[int, ...]) -> _Skin:
     for plane, shift in zip(color, shifts, strict=True):
         # No more than the ground leaves room for.
         light[1:-1] |= (plane * (256 - left[1:-1]) / 256.0).astype(np.uint32) << np.uint32(shift)
-    return _Skin(light, left)
+    return _Skin(light, left, float(_FINE * scale))
 
 
 def _colors(along: Array, across: Array, side: Array) -> list[Array]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import pygame
 
@@ -103,8 +103,7 @@ def draw_bars(surface: pygame.Surface, screen: Screen, title: str, note: str) ->
 
 def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: float, tip_friction: float) -> None:
     """The ball diagram, the cue diagram and the speed."""
-    _ball_diagram(surface, screen, aim, miscue_limit(tip_friction))
-    _cue_diagram(surface, screen, aim)
+    surface.blit(_diagrams(screen, aim.side, aim.height, aim.elevation, miscue_limit(tip_friction)), screen.bottom)
     bar = screen.power
     radius = bar.height // 2
     y = screen.bottom.top + screen.unit * 2
@@ -118,9 +117,10 @@ def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: floa
         pygame.draw.rect(surface, theme.ACCENT, filled, border_radius=radius)
 
 
-def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color) -> None:
-    """The message, in as many lines as it needs and the bar has."""
+def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color, taken: int = 0) -> None:
+    """The message, in as many lines as it needs and the bar has; `taken` pixels of its room are not free."""
     box = screen.message
+    box.width = max(1, box.width - taken)
     lines = text.wrap(message, screen.small, box.width)
     pitch = text.font(screen.small).get_linesize()
     room = max(1, box.height // pitch)
@@ -132,8 +132,18 @@ def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: t
         y += pitch
 
 
-def _ball_diagram(surface: pygame.Surface, screen: Screen, aim: Aim, limit: float) -> None:
-    box = screen.ball_diagram
+@lru_cache(maxsize=4)
+def _diagrams(screen: Screen, side: float, height: float, elevation: float, limit: float) -> pygame.Surface:
+    """The left part of the lower bar, with both diagrams; drawn once for each aim."""
+    bar, aim = screen.bottom, Aim(side=side, height=height, elevation=elevation)
+    surface = pygame.Surface((screen.cue_diagram.right + screen.unit, bar.height))
+    surface.fill(theme.PANEL[:3])
+    _ball_diagram(surface, screen.ball_diagram.move(0, -bar.top), aim, limit)
+    _cue_diagram(surface, screen.cue_diagram.move(0, -bar.top), screen, aim)
+    return surface
+
+
+def _ball_diagram(surface: pygame.Surface, box: pygame.Rect, aim: Aim, limit: float) -> None:
     centre, radius = box.center, box.width / 2
     pen.disc(surface, theme.IVORY, centre, radius)
     for x, y in ((1.0, 0.0), (0.0, 1.0)):
@@ -147,9 +157,9 @@ def _ball_diagram(surface: pygame.Surface, screen: Screen, aim: Aim, limit: floa
     pen.disc(surface, theme.CUE_TIP if clean else theme.WARNING, tip, radius * 0.2)
 
 
-def _cue_diagram(surface: pygame.Surface, screen: Screen, aim: Aim) -> None:
-    box, unit = screen.cue_diagram, screen.unit
-    centre, radius = screen.cue_ball_centre, unit * 1.5
+def _cue_diagram(surface: pygame.Surface, box: pygame.Rect, screen: Screen, aim: Aim) -> None:
+    unit = screen.unit
+    centre, radius = (screen.cue_ball_centre[0], box.bottom - unit * 2.5), unit * 1.5
     floor = centre[1] + radius
     pen.line(surface, theme.CLOTH, (box.left, floor), (box.right, floor), 2.0)
     tilt = math.radians(aim.elevation)

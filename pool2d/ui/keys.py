@@ -31,6 +31,8 @@ DEFAULTS: dict[str, tuple[int, ...]] = {
     "replay": (pygame.K_r,),
     "pause": (pygame.K_p,),
     "undo": (pygame.K_u, CTRL + pygame.K_z),
+    "redo": (CTRL + pygame.K_y,),
+    "call": (pygame.K_c,),
     "rack": (pygame.K_n,),
     "tune": (pygame.K_t,),
     "geometry": (pygame.K_b,),

@@ -9,8 +9,10 @@ from pathlib import Path
 import pygame
 
 from ..errors import BudgetError, InputError
+from ..game.rules import AIM
 from ..game.session import Session, practice
 from ..physics.rollout import Rollout
+from ..physics.values import Shot
 from ..preset import load_table
 from ..settings import GUIDES
 from ..table import Table
@@ -21,6 +23,7 @@ from .help import Help
 from .in_hand import InHand
 from .keys import KEYS, action_of, fine_step
 from .playback import Playback
+from .referee import Referee
 from .saving import ask_to_save
 from .scene import Scene
 from .sound import Sounds
@@ -49,6 +52,7 @@ class Play:
         self.playback: Playback | None = None
         self.timeline = Timeline()
         self.in_hand = InHand()
+        self.referee = Referee()
         self.tuning: Tuning | None = None
         self.effects = Effects()
         self.geometry = False
@@ -65,6 +69,7 @@ class Play:
             "replay": self._replay,
             "pause": self._pause,
             "undo": self._undo,
+            "redo": self._redo,
             "rack": self._rack,
             "tune": self._tune,
             "geometry": self._show_geometry,
@@ -101,6 +106,8 @@ class Play:
             return scene
         if event.type == pygame.MOUSEMOTION:
             self.hands.pointer = event.pos
+        if self.playback is None and not self.hands.busy and self._referred(event):
+            return self
         if self.stage.camera.handle(event, pygame.key.get_mods()):
             return self
         if self.playback is not None and self.playback.review and self.timeline.handle(event, self.playback):
@@ -155,10 +162,12 @@ class Play:
         screen = self.stage.screen
         if self.hands.grab(pos, screen):
             return
+        if self.playback is None and self.referee.point_out(*self.stage.view.to_table(*pos), self.session):
+            return
         self._move(pos)
         if self._holding:
             self._place()
-        elif self.playback is None and screen.top.bottom <= pos[1] < screen.bottom.top:
+        elif self.playback is None and self.session.ask.kind == AIM and screen.top.bottom <= pos[1] < screen.bottom.top:
             self.hands.begin_pull(pos)
 
     def _release(self, pos: tuple[int, int]) -> None:
@@ -173,6 +182,34 @@ class Play:
     def _holding(self) -> bool:
         """Whether the player holds the cue ball."""
         return self.session.in_hand and self.playback is None
+
+    def aimed(self, shot: Shot) -> str:
+        """The ball that a shot would meet first; empty where it meets none."""
+        rollout = self.stage.foresee(self.level, self.session.layout, shot)
+        pairs = [pair for event in rollout.events for pair in event.pairs if shot.ball in pair] if rollout else []
+        return next((ball for ball in pairs[0] if ball != shot.ball), "") if pairs else ""
+
+    def begin(self, session: Session) -> None:
+        """Go over to another session, and leave the one that was played."""
+        self._drop()
+        self.tuning = None
+        self.session.leave()
+        self.session = session
+        self.told = lambda: self.referee.verdict(session)
+
+    def _referred(self, event: pygame.event.Event) -> bool:
+        """Hand an event to the referee; whether it was meant for it, and what came of it is told."""
+        moment = self.session.match.now
+        try:
+            taken = self.referee.handle(event, self.session)
+        except InputError as error:
+            wrong = str(error)
+            self.told = lambda: wrong
+            return True
+        if self.session.match.now is not moment:
+            self._drop()
+            self.told = lambda: self.referee.verdict(self.session)
+        return taken
 
     def _next_guide(self) -> None:
         self.level = (self.level + 1) % len(GUIDES)
@@ -205,7 +242,7 @@ class Play:
         self.hands.put_down()
         shot = self.hands.aim.shot(self.session.cue.id, speed)
         try:
-            rollout = self.session.play(shot)
+            rollout = self.session.play(shot, self.referee.said(self.session, self.aimed(shot)))
         except (InputError, BudgetError) as error:
             wrong = str(error)
             self.told = lambda: wrong
@@ -238,7 +275,9 @@ class Play:
             self.sounds.play_events(self.session.table, playback.rollout, -1.0, 0.0)
 
     def _tune(self) -> None:
-        if self.tuning is None:
+        if not self.session.free:
+            self.told = lambda: say("play.practice_only")
+        elif self.tuning is None:
             aimed = self.hands.aim.shot(self.session.cue.id)
             self.tuning = Tuning(self.session, aimed, self._ask_name, self.open_table)
         else:
@@ -246,9 +285,7 @@ class Play:
 
     def open_table(self, name: str) -> None:
         """Go over to another preset, with a new rack; raises InputError."""
-        self._drop()
-        self.tuning = None
-        self.session = practice(load_table(name), random.randrange(1 << 30))
+        self.begin(practice(load_table(name), random.randrange(1 << 30)))
         title = self.session.table.title
         self.told = lambda: say("play.new_table", table=title)
 
@@ -269,7 +306,15 @@ class Play:
         undone = self.session.undo()
         self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
 
+    def _redo(self) -> None:
+        self._drop()
+        redone = self.session.redo()
+        self.told = lambda: say("play.redone") if redone else say("play.nothing_to_redo")
+
     def _rack(self) -> None:
+        if not self.session.free:
+            self.told = lambda: say("play.practice_only")
+            return
         self._drop()
         self.session.rack(random.randrange(1 << 30))
         self.told = lambda: say("play.new_rack")
@@ -298,6 +343,8 @@ class Play:
     # Time.
 
     def update(self, dt: float) -> Scene | None:
+        self.referee.follow(self.session)
+        self.referee.form.update(dt)
         if self.tuning is not None:
             self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
             self.tuning.update(dt)
@@ -323,6 +370,8 @@ class Play:
                 self._move(self.hands.pointer)
         if shown.again:
             self.told = lambda: ""
+        elif not self.session.free:
+            self.told = lambda: self.referee.verdict(self.session)
         elif self.session.in_hand or not telling.missed(shown.rollout):
             cue = self.session.cue.id
             self.told = lambda: telling.outcome(shown.rollout, cue)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import pygame
 
+from ..game.rules import AIM
+from ..game.rules.spotting import KITCHEN, D
 from ..physics.strike import hop
-from . import cue_art, hud, stroke, theme, trail, vectors
+from . import cue_art, hud, scoreboard, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
 from .effects import Effects
 from .playback import Playback
@@ -38,8 +41,19 @@ def draw(surface: pygame.Surface, play: Play) -> None:
     if play.playback is not None and play.playback.review:
         play.timeline.place(screen, panel)
         play.timeline.draw(surface, play.playback, play.session.table)
+    if play.playback is None:
+        play.referee.draw(surface, play.stage.view, play.session)
     if play.tuning is not None:
         play.tuning.draw(surface)
+
+
+def _notes(play: Play, speed: float) -> str:
+    """What is to be said of the shot that is aimed."""
+    session, shot = play.session, play.hands.aim.shot(play.session.cue.id, speed)
+    if play.playback is not None or session.ask.kind != AIM or speed == 0.0:
+        return ""
+    off = play.referee.warning(session, play.aimed(shot)) if play.level else ""
+    return f"{off} {hop_note(play, speed)}".strip()
 
 
 def hop_note(play: Play, speed: float) -> str:
@@ -62,10 +76,30 @@ def _at_rest(surface: pygame.Surface, play: Play) -> None:
         stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
     stage.balls(surface, session.layout, session.rollout)
     if session.in_hand:
+        _area(surface, play)
         x, y = play.in_hand.where(session)
         stage.in_hand(surface, session.cue._replace(x=x, y=y), session.may_place(x, y))
     else:
         cue_art.draw(surface, session.table, session.cue, hands.aim, stroke.stand(hands.drawn), stage.view)
+
+
+def _area(surface: pygame.Surface, play: Play) -> None:
+    """Where a cue ball in hand may go, where that is only a part of the table."""
+    table, where = play.session.table, play.session.ask.where
+    line, radius = table.furniture.head_string, table.furniture.d_radius
+    if line is None or where not in (KITCHEN, D):
+        return
+    if where == KITCHEN:
+        width = table.knobs.table.width
+        outline = [(0.0, 0.0), (line, 0.0), (line, width), (0.0, width)]
+    else:
+        middle = table.furniture.spots["head"][1]
+        turns = (math.pi * (0.5 + i / 48) for i in range(49))
+        outline = [(line + radius * math.cos(turn), middle + radius * math.sin(turn)) for turn in turns]
+    points = [play.stage.view.to_screen(x, y) for x, y in outline]
+    shade = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
+    pygame.draw.polygon(shade, theme.AREA, points)
+    surface.blit(shade, (0, 0))
 
 
 def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: Effects) -> None:
@@ -92,11 +126,18 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
 
 def _bars(surface: pygame.Surface, play: Play) -> None:
     session, screen, hands = play.session, play.stage.screen, play.hands
-    shot = say("play.shot", number=session.strokes + 1)
-    note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
-    hud.draw_bars(surface, screen, session.table.title, note)
+    if session.free:
+        shot = say("play.shot", number=session.strokes + 1)
+        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=session.left)}"
+        hud.draw_bars(surface, screen, session.table.title, note)
+    else:
+        hud.draw_bars(surface, screen, "", "")
+        # While a shot runs for the first time, what comes of it is not told yet.
+        first = play.playback is not None and not play.playback.again
+        scoreboard.draw(surface, screen, session.match, session.match.history[-2 if first else -1])
     play.stage.tray(surface)
     hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
-    message = wrong or f"{play.message} {hop_note(play, hands.speed)}".strip()
-    hud.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT)
+    message = wrong or f"{play.message} {_notes(play, hands.speed)}".strip()
+    taken = play.referee.place(screen, session) if play.playback is None else 0
+    hud.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)

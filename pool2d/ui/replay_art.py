@@ -10,11 +10,11 @@ from ..game.actions import Stroke
 from ..game.match import Moment
 from ..game.record import Take
 from ..game.reel import Reel
-from ..game.rules import say as say_note
-from . import pen, play_art, shapes, text, theme, vectors
+from . import pen, play_art, rulings, shapes, text, theme, vectors
 from .debug import ScreenPen, draw_geometry
 from .effects import effects_of
 from .hud import Screen
+from .telling import place_name
 from .widgets import plate
 from .words import say
 
@@ -71,7 +71,7 @@ def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: Ta
     box = button("list", screen)
     text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
     left = button("later", screen).right + 2 * unit
-    title = text.fitted(take.match.rules.title, screen.small, screen.tray.left - left)
+    title = text.fitted(rulings.title(take.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
     replay.stage.tray(surface)
     # Until a shot has come to its end the score is the one that it was played at.
@@ -96,7 +96,7 @@ def _players(surface: pygame.Surface, screen: Screen, take: Take, moment: Moment
 def standing(take: Take, moment: Moment, player: int) -> str:
     """How a player stands: the frames won, where there are several to win, and the points of this one."""
     frames, points = str(moment.tallies[player].frames), str(moment.state.scores[player])
-    if not any(take.moment.state.scores) and not any(moment.state.scores):
+    if not take.match.rules.scored:
         return frames
     return points if take.match.setup.race == 1 else f"{frames} ({points})"
 
@@ -119,7 +119,7 @@ def caption(replay: Replay) -> tuple[str, bool]:
         return say("replay.differs"), True
     if shown.ended:
         said = [say("replay.undone")] if take.line in replay.reel.undone else []
-        said += [say_note(note, take.match.names) for note in take.moment.ruling.notes]
+        said += [rulings.told(note, take.match.names) for note in take.moment.ruling.notes]
         return " ".join(said), False
     if shown.time <= 0.0:
         return called(take), False
@@ -130,7 +130,7 @@ def caption(replay: Replay) -> tuple[str, bool]:
 
 def line(reel: Reel, take: Take) -> str:
     """A shot in a list: its number, who played it, and what came of it."""
-    notes = " ".join(say_note(note, take.match.names) for note in take.moment.ruling.notes)
+    notes = " ".join(rulings.told(note, take.match.names) for note in take.moment.ruling.notes)
     name = take.match.names[take.moment.shooter]
     back = f" ({say('replay.taken_back')})" if take.line in reel.undone else ""
     return f"{take.number}   {name}{back}   {notes}".rstrip()
@@ -141,7 +141,8 @@ def called(take: Take) -> str:
     call = take.moment.action.call if isinstance(take.moment.action, Stroke) else None
     if call is None or not (call.ball or call.pocket or call.safety or call.push):
         return ""
-    what = [call.ball, call.pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
+    pocket = place_name(call.pocket) if call.pocket else ""
+    what = [call.ball, pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
     name = take.match.names[take.moment.shooter]
     return say("replay.calls", player=name, what=", ".join(filter(None, what)))
 

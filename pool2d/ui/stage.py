@@ -129,7 +129,11 @@ class Stage:
         return self.table.furniture.looks.get(ball) or ball_art.usual(ball)
 
     def _placed(self, ball: Ball, lie: Quaternion) -> ball_art.Placed:
-        return ball_art.Placed(self._look(ball.id), self.view.to_screen(ball.x, ball.y), self._radius(ball), lie)
+        x, y = self.view.to_screen(ball.x, ball.y)
+        if not self.camera.settled:
+            # On its way each frame has balls of another size, whose light is worked out for each part of a pixel.
+            x, y = round(x), round(y)
+        return ball_art.Placed(self._look(ball.id), (x, y), self._radius(ball), lie)
 
     def _radius(self, ball: Ball) -> float:
         return self.table.body_of(ball)[0] * self.view.scale

@@ -49,12 +49,7 @@ def draw(surface: pygame.Surface, table: Table, ball: Ball, shot: Shot, t: float
     if seen <= 0.0:
         return
     aim = Aim(shot.angle, shot.speed, shot.side, shot.height, shot.elevation)
-    # What is under the cue, laid over it again, lets it fade whatever it is drawn with.
-    under = surface.copy() if seen < 1.0 else None
-    cue_art.draw(surface, table, ball, aim, back, view)
-    if under is not None:
-        under.set_alpha(round(255 * (1.0 - seen)))
-        surface.blit(under, (0, 0))
+    cue_art.draw(surface, table, ball, aim, back, view, seen)
 
 
 def _smooth(part: float) -> float:

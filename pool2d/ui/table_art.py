@@ -22,11 +22,14 @@ _COARSE = 3
 _FILES = (__file__, *(str(module.__file__) for module in (cloth, leather, outset, paint, theme, wood)))
 
 
-def draw(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
-    """The table without balls, on a surface of `size` pixels; kept on disk from then on."""
+def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -> pygame.Surface:
+    """The table without balls, on a surface of `size` pixels; kept on disk from then on.
+
+    It may be called on any thread; `hands` is how many strips are painted at once.
+    """
     picture = kept(table, size, view)
     if picture is None:
-        pixels = _pixels(table, size, view)
+        pixels = _pixels(table, size, view, hands)
         cache.save(_name(table, size, view), pixels)
         picture = _surface(pixels, size)
     return picture
@@ -41,7 +44,7 @@ def kept(table: Table, size: tuple[int, int], view: View) -> pygame.Surface | No
 def draft(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
     """The same in a fraction of the time, less sharp: for while the view or the table is being changed."""
     small = (max(1, size[0] // _COARSE), max(1, size[1] // _COARSE))
-    picture = _surface(_pixels(table, small, view.zoomed(small[0] / size[0])), small)
+    picture = _surface(_pixels(table, small, view.zoomed(small[0] / size[0]), _HANDS), small)
     return pygame.transform.smoothscale(picture, size)
 
 
@@ -58,12 +61,12 @@ def _name(table: Table, size: tuple[int, int], view: View) -> str:
     return cache.name_of((content(table), size, view), _FILES)
 
 
-def _surface(pixels: bytes, size: tuple[int, int]) -> pygame.Surface:
+def _surface(pixels: bytes | memoryview, size: tuple[int, int]) -> pygame.Surface:
     picture = pygame.image.frombuffer(pixels, size, "RGB")
     return picture.convert() if pygame.display.get_surface() else picture.copy()
 
 
-def _pixels(table: Table, size: tuple[int, int], view: View) -> bytes:
+def _pixels(table: Table, size: tuple[int, int], view: View, hands: int) -> memoryview:
     """The picture's pixels, row by row, as red, green and blue."""
     width, height = size
     layers = [
@@ -80,7 +83,13 @@ def _pixels(table: Table, size: tuple[int, int], view: View) -> bytes:
         light = patch.rgb + 1.6 * (patch.speckle(7) - 0.5) + 0.5
         pixels[top : top + _ROWS] = np.clip(light, 0.0, 255.0).astype(np.uint8).transpose(1, 2, 0)
 
-    with ThreadPoolExecutor(_HANDS) as hands:
-        # Asking for the results raises what went wrong.
-        list(hands.map(fill, range(0, height, _ROWS)))
-    return pixels.tobytes()
+    tops = range(0, height, _ROWS)
+    if hands > 1:
+        with ThreadPoolExecutor(hands) as pool:
+            # Asking for the results raises what went wrong.
+            list(pool.map(fill, tops))
+    else:
+        # Without a pool, whose end Python would wait for when the player quits.
+        for top in tops:
+            fill(top)
+    return pixels.data.cast("B")

@@ -19,11 +19,9 @@ def title(event: Event, cue: str) -> str:
     """What happened, to which balls and where; `cue` is the cue ball."""
     if event.where == "miscue":
         return say("event.miscue")
-    balls = [_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
-    told = say(
-        f"event.{event.kind}", ball=balls[0], other=balls[-1], balls=", ".join(balls), where=_where(event.where or "")
-    )
-    return _begun(told)
+    balls = [ball_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
+    where, every = place_name(event.where or ""), ", ".join(balls)
+    return _begun(say(f"event.{event.kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
 
 
 def missed(rollout: Rollout) -> bool:
@@ -52,7 +50,7 @@ def change(event: Event, ball: str, cue: str) -> str:
     old, new = event.before[ball], event.after[ball]
     told = say(
         "telling.change",
-        ball=_name(ball, cue),
+        ball=ball_name(ball, cue),
         speed=number(_speed(old), ".2f"), speed_after=number(_speed(new), ".2f"),
         roll=f"{_roll(old):.0f}", roll_after=f"{_roll(new):.0f}",
         side=f"{old.wz:.0f}", side_after=f"{new.wz:.0f}",
@@ -91,7 +89,7 @@ def outcome(rollout: Rollout, cue: str) -> str:
     if all(ball.id == cue for ball in end.on_table()):
         return say("outcome.cleared", rack=KEYS.shown("rack"))
     fallen.sort(key=lambda ball: (len(ball), ball))
-    return say("outcome.down", balls=", ".join(_name(ball, cue) for ball in fallen)) if fallen else ""
+    return say("outcome.down", balls=", ".join(ball_name(ball, cue) for ball in fallen)) if fallen else ""
 
 
 def _energy(ball: Ball, table: Table) -> float:
@@ -106,7 +104,7 @@ def _in_order(event: Event) -> tuple[str, str]:
     return (a, b) if _speed(event.before[a]) >= _speed(event.before[b]) else (b, a)
 
 
-def _name(ball: str, cue: str) -> str:
+def ball_name(ball: str, cue: str) -> str:
     """What a ball is called: "cue ball", "red 6", or what its table calls it."""
     if ball == cue:
         return say("ball.its_own")
@@ -114,7 +112,7 @@ def _name(ball: str, cue: str) -> str:
     return f"{say(f'ball.{color}')} {ball[len(color) :]}".rstrip() if known(f"ball.{color}") else ball
 
 
-def _where(name: str) -> str:
+def place_name(name: str) -> str:
     """A cushion, a pocket or its jaw, by the words in its name; words that mean nothing stay."""
     place, _, jaw = name.partition(" ")
     told = " ".join(say_or(f"place.{word}", word) for word in place.split("-"))

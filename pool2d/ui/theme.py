@@ -31,6 +31,8 @@ DOT = (176, 30, 36)
 CUE_SHAFT = (226, 196, 148)
 CUE_BUTT = (58, 32, 26)
 CUE_TIP = (70, 132, 178)
+# Where a ball in hand may be put.
+AREA = (214, 176, 106, 40)
 GUIDE_CUE = (196, 222, 212)
 GUIDE_BALL = (238, 208, 136)
 WAY_OLD = (24, 100, 84)

@@ -4,30 +4,33 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
+from functools import lru_cache
 from itertools import pairwise
 from operator import attrgetter
 
+import numpy as np
 import pygame
 
 from ..physics.rollout import Rollout
-from ..physics.values import POCKETED, RESTING, SPINNING
+from ..physics.values import POCKETED, RESTING, SLIDING, SPINNING
 from ..table import Table
 from .view import View
 
-# How far back a trail goes, s; in how many steps it is drawn at most, and how long they are at least, m.
+# How far back a trail goes, s; a ball that slides may run in a curve, which is followed in steps of so many s.
 LENGTH = 0.3
-_STEPS = 12
-_STEP = 0.06
-# Its colour, how strong it is at the ball, and how wide there, in radii.
-_COLOR = (236, 244, 238)
-_STRENGTH = 54
-_WIDTH = 0.75
-# A turn sharper than this (its cosine) is rounded on the outside.
-_SHARP = 0.97
+_STEP = 0.1
+# A trail is light that is added in soft dabs: their colour where the trail is fresh, how far the light
+# spreads (the deviation of a normal distribution) and how far apart they are, in the ball's radii. At twice
+# the spread they add up to an even band.
+_COLOR = (38, 38, 36)
+_SPREAD, _PITCH = 0.42, 0.84
+# How many steps there are from fresh to faded.
+_LEVELS = 24
 
 _BEGIN = attrgetter("t0")
 
 Trace = list[tuple[float, float, float]]
+Dab = tuple[pygame.Surface, tuple[float, float]]
 
 
 def tail(rollout: Rollout, ball: str, t: float) -> Trace:
@@ -42,49 +45,58 @@ def tail(rollout: Rollout, ball: str, t: float) -> Trace:
     first, last = bisect_right(track, start, key=_BEGIN), bisect_right(track, end, key=_BEGIN)
     if track[last - 1].phase == POCKETED or (first == last and track[last - 1].phase in (RESTING, SPINNING)):
         return []
-    turns = [motion.t0 for motion in track[first:last]]
-    then, now = rollout.ball_at(ball, start), rollout.ball_at(ball, end)
-    speed = max(math.hypot(then.vx, then.vy), math.hypot(now.vx, now.vy))
-    steps = min(max(round(speed * (end - start) / _STEP), 3), _STEPS)
-    balls = ((at, rollout.ball_at(ball, at)) for i in range(1, steps) for at in [start + (end - start) * i / steps])
-    met = ((at, rollout.ball_at(ball, at)) for at in turns)
-    points = sorted((at, there.x, there.y) for at, there in (*balls, *met))
-    return [(start, then.x, then.y), *points, (end, now.x, now.y)]
+    points: Trace = []
+    at = start
+    for motion, until in zip(track[first - 1 : last], [*(after.t0 for after in track[first:last]), end], strict=True):
+        steps = math.ceil((until - at) / _STEP) if motion.phase == SLIDING else 1
+        times = (at + (until - at) * i / steps for i in range(steps))
+        points += [(then, *motion.place(then)) for then in times]
+        at = until
+    return [*points, (end, *track[last - 1].place(end))]
 
 
 def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view: View) -> None:
     """Draw the trail of every ball that moves, or did a moment ago."""
+    dabs: list[Dab] = []
     for ball_id, ball in rollout.start.items():
         points = tail(rollout, ball_id, t)
         if points:
-            radius = _WIDTH * table.body_of(ball)[0] * view.scale
-            _ribbon(surface, [(1.0 - (t - then) / LENGTH, *view.to_screen(x, y)) for then, x, y in points], radius)
+            radius = table.body_of(ball)[0] * view.scale
+            dabs += _along([(1.0 - (t - then) / LENGTH, *view.to_screen(x, y)) for then, x, y in points], radius)
+    for dab, at in dabs:
+        surface.blit(dab, at, None, pygame.BLEND_RGB_ADD)
 
 
-def _ribbon(surface: pygame.Surface, points: Trace, radius: float) -> None:
-    """A band through points (freshness from 0 to 1, x, y): narrow and faint where it is old."""
-    xs, ys = [x for _, x, _ in points], [y for _, _, y in points]
-    left, top = math.floor(min(xs) - radius) - 1, math.floor(min(ys) - radius) - 1
-    box = pygame.Rect(left, top, math.ceil(max(xs) + radius) + 1 - left, math.ceil(max(ys) + radius) + 1 - top)
-    box = box.clip(surface.get_rect())
-    if not box:
-        return
-    # Drawn, not blended, on a layer of its own, the pieces do not add up where they meet.
-    layer = pygame.Surface(box.size, pygame.SRCALPHA)
-    ux = uy = 0.0
-    for (old, ax, ay), (new, bx, by) in pairwise(points):
+def _along(points: Trace, radius: float) -> list[Dab]:
+    """Dabs along points (freshness from 0 to 1, x, y), at even distances back from the last."""
+    levels = _dabs(max(1, round(radius)))
+    half, pitch = levels[0].get_width() / 2.0, _PITCH * radius
+    dabs: list[Dab] = []
+    # What lies right below the ball is not seen.
+    ahead = 0.5 * radius
+    for (new, ax, ay), (old, bx, by) in pairwise(reversed(points)):
         length = math.hypot(bx - ax, by - ay)
-        if length < 0.5:
-            continue
-        color = (*_COLOR, round(_STRENGTH * (0.5 * (old + new)) ** 1.5))
-        a, b = (ax - box.left, ay - box.top), (bx - box.left, by - box.top)
-        start, end = radius * (0.25 + 0.75 * old), radius * (0.25 + 0.75 * new)
-        turned = ux * (bx - ax) + uy * (by - ay) < _SHARP * length
-        ux, uy = (bx - ax) / length, (by - ay) / length
-        if turned and start >= 2.0:
-            pygame.draw.circle(layer, color, a, start)
-        pygame.draw.polygon(layer, color, [
-            (a[0] + uy * start, a[1] - ux * start), (b[0] + uy * end, b[1] - ux * end),
-            (b[0] - uy * end, b[1] + ux * end), (a[0] - uy * start, a[1] + ux * start),
-        ])  # fmt: skip
-    surface.blit(layer, box)
+        while ahead < length:
+            part = ahead / length
+            level = levels[int((new + part * (old - new)) * (_LEVELS - 1))]
+            dabs.append((level, (ax + part * (bx - ax) - half, ay + part * (by - ay) - half)))
+            ahead += pitch
+        ahead -= length
+    return dabs
+
+
+@lru_cache(maxsize=8)
+def _dabs(radius: int) -> list[pygame.Surface]:
+    """The light of one dab for a ball of `radius` pixels, from faded to fresh."""
+    half = math.ceil(2.5 * _SPREAD * radius)
+    across = (np.arange(-half, half + 1) / (_SPREAD * radius)) ** 2
+    light = np.exp(-0.5 * (across[:, None] + across[None, :])) * _PITCH / (_SPREAD * math.sqrt(math.tau))
+    light = np.maximum(light - light[half, 0], 0.0)
+    # Rounded up or down by chance, so that a faint trail shows no steps.
+    chance = np.random.default_rng(1).random(light.shape) * (light > 0.0)
+    dabs = [pygame.Surface(light.shape) for _ in range(_LEVELS)]
+    for i, dab in enumerate(dabs):
+        fresh = (i / (_LEVELS - 1)) ** 1.5
+        lit = fresh * light[:, :, None] * _COLOR + chance[:, :, None]
+        pygame.surfarray.blit_array(dab, lit.astype(np.uint8))
+    return dabs

@@ -74,6 +74,11 @@ def speak(language: str) -> Sequence[InputError]:
     return catalogue(_Present.language).complaints
 
 
+def language() -> str:
+    """The language spoken, by its two letters."""
+    return _Present.language
+
+
 def tell_speeds_in(unit: str) -> None:
     """Tell speeds in this unit from now on."""
     _Present.unit = unit
@@ -94,7 +99,7 @@ def known(key: str) -> bool:
 
 
 def say_or(key: str, other: str) -> str:
-    """A text without places; `other` where there is none of that key."""
+    """A text as it stands, its places unfilled; `other` where there is none of that key."""
     return _text(key) or other
 
 

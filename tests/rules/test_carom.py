@@ -9,11 +9,12 @@ import pytest
 
 from pool2d import Layout, Shot, load_table, simulate
 from pool2d.game.corners import corner_of
-from pool2d.game.report import Report, read
+from pool2d.game.report import Report
 from pool2d.game.rules import Choice, State
 from pool2d.game.rules.carom import cushions_before_last
 from pool2d.game.rules.spotting import put
 from pool2d.game.rules.three_cushion import ThreeCushion
+from pool2d.game.witness import read
 
 from .cases import Case, rows
 from .notation import report

@@ -8,13 +8,13 @@ from typing import Any
 import pytest
 
 from pool2d import InputError, Layout, Shot, load_table, simulate
-from pool2d.game.report import read
 from pool2d.game.rules import Choice, Ruling, State
 from pool2d.game.rules.sight import sees, sees_full, snookered
 from pool2d.game.rules.snooker import Snooker, SnookerState, needed, points_left
 from pool2d.game.rules.snooker_fouls import COLOR, ORDER, RED
 from pool2d.game.rules.snooker_spots import COLORS, spot_colors, spot_of
 from pool2d.game.rules.spotting import put
+from pool2d.game.witness import read
 
 from .cases import Case, rows
 from .notation import only, without

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import threading
+import time
+from collections.abc import Callable
+
 import pygame
 import pytest
 
@@ -19,9 +23,9 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
     sizes: list[tuple[int, int]] = []
     full = table_art.draw
 
-    def draw(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
+    def draw(table: Table, size: tuple[int, int], view: View, hands: int = 2) -> pygame.Surface:
         sizes.append(size)
-        return full(table, size, view)
+        return full(table, size, view, hands)
 
     monkeypatch.setattr(table_art, "draw", draw)
     monkeypatch.setattr(table_art, "kept", lambda *_: None)
@@ -36,6 +40,15 @@ def shown(background: Background, width: int, table: Table = TABLE) -> tuple[pyg
     return surface, view
 
 
+def wait_for(done: Callable[[], bool]) -> None:
+    """Until something is so, at most half a minute."""
+    for _ in range(6000):
+        if done():
+            return
+        time.sleep(0.005)
+    raise AssertionError("it does not come")
+
+
 def test_a_window_being_dragged_waits_for_no_picture_and_gets_one_at_rest(drawn: list[tuple[int, int]]) -> None:
     background = Background()
     for width in (320, 352, 384, 416):
@@ -47,8 +60,13 @@ def test_a_window_being_dragged_waits_for_no_picture_and_gets_one_at_rest(drawn:
         x, y = view.to_screen(0.9, 0.45)
         assert picture.get_at((round(x), round(y)))[2] > 100
     assert drawn == [(320, 180)]
-    for _ in range(60):
-        picture, view = shown(background, 416)
+
+    def settled() -> bool:
+        shown(background, 416)
+        return background.settled
+
+    wait_for(settled)
+    picture, view = shown(background, 416)
     assert drawn == [(320, 180), (416, 234)]
     full = table_art.draw(TABLE, (416, 234), view)
     assert pygame.image.tobytes(picture, "RGB") == pygame.image.tobytes(full, "RGB")
@@ -75,16 +93,71 @@ def test_what_does_not_show_changes_no_picture(drawn: list[tuple[int, int]]) -> 
     assert pygame.image.tobytes(first, "RGB") == pygame.image.tobytes(second, "RGB")
 
 
+def near_to(home: View, scale: float) -> View:
+    """The middle of a window of 480 pixels, so many times as large."""
+    return View(home.scale * scale, 240.0 - 0.9 * home.scale * scale, 135.0 + 0.45 * home.scale * scale)
+
+
 def test_from_nearer_it_is_cut_out_of_a_larger_picture(drawn: list[tuple[int, int]]) -> None:
     background = Background()
     _, home = shown(background, 480)
     surface = pygame.Surface((480, 270))
     for scale in (1.5, 2.0, 3.0):
-        near = View(home.scale * scale, 240.0 - 0.9 * home.scale * scale, 135.0 + 0.45 * home.scale * scale)
-        background.show(surface, TABLE, home, near)
-        pocket = max(TABLE.geometry.pockets, key=lambda hole: -abs(hole.x - 0.9))
-        x, y = near.to_screen(pocket.x, pocket.y)
-        if surface.get_rect().collidepoint(x, y):
-            assert max(surface.get_at((round(x), round(y)))[:3]) < 40
-        assert surface.get_at((240, 135))[2] > 100
+        near = near_to(home, scale)
+
+        # True from the first frame on, until it is sharp.
+        def settled(near: View = near) -> bool:
+            background.show(surface, TABLE, home, near)
+            pocket = max(TABLE.geometry.pockets, key=lambda hole: -abs(hole.x - 0.9))
+            x, y = near.to_screen(pocket.x, pocket.y)
+            if surface.get_rect().collidepoint(x, y):
+                assert max(surface.get_at((round(x), round(y)))[:3]) < 40
+            assert surface.get_at((240, 135))[2] > 100
+            return background.settled
+
+        wait_for(settled)
     assert drawn == [(480, 270), (960, 540)]
+
+
+def test_no_frame_waits_for_the_larger_picture(monkeypatch: pytest.MonkeyPatch) -> None:
+    background = Background()
+    surface, home = shown(background, 480)
+    full, go_on = table_art.draw, threading.Event()
+
+    def slow(table: Table, size: tuple[int, int], view: View, hands: int) -> pygame.Surface:
+        assert go_on.wait(30.0)
+        return full(table, size, view, hands)
+
+    monkeypatch.setattr(table_art, "draw", slow)
+    near = near_to(home, 2.0)
+    for _ in range(20):
+        background.show(surface, TABLE, home, near)
+        assert not background.settled
+    soft = pygame.image.tobytes(surface, "RGB")
+    go_on.set()
+
+    def settled() -> bool:
+        background.show(surface, TABLE, home, near)
+        return background.settled
+
+    wait_for(settled)
+    assert pygame.image.tobytes(surface, "RGB") != soft
+
+
+def test_what_goes_wrong_on_the_way_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
+    background = Background()
+    surface, home = shown(background, 480)
+
+    def fail(*_: object, **__: object) -> pygame.Surface:
+        raise MemoryError
+
+    monkeypatch.setattr(table_art, "draw", fail)
+
+    def failed() -> bool:
+        try:
+            background.show(surface, TABLE, home, near_to(home, 2.0))
+        except MemoryError:
+            return True
+        return False
+
+    wait_for(failed)

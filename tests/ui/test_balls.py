@@ -150,6 +150,7 @@ def test_shapes_tell_colours_apart_without_colour() -> None:
 
 def test_the_style_of_a_stage_is_the_style_of_its_balls(hand: Hand) -> None:
     def shot() -> bytes:
+        hand.app.redraw()
         hand.app.step(0.0)
         return pixels(hand.app.surface)
 

@@ -268,12 +268,12 @@ def test_the_cue_ball_is_the_one_struck_whatever_its_name() -> None:
 
 
 def test_balls_and_places_are_told_in_words_and_unknown_ones_as_they_are() -> None:
-    assert telling._name("red12", "cue") == "red 12"
-    assert telling._name("black", "cue") == "black"
-    assert telling._name("7", "cue") == "7"
-    assert telling._name("left2", "cue") == "left2"
-    assert telling._where("bottom-left jaw") == "bottom left jaw"
-    assert telling._where("nook-left") == "nook left"
+    assert telling.ball_name("red12", "cue") == "red 12"
+    assert telling.ball_name("black", "cue") == "black"
+    assert telling.ball_name("7", "cue") == "7"
+    assert telling.ball_name("left2", "cue") == "left2"
+    assert telling.place_name("bottom-left jaw") == "bottom left jaw"
+    assert telling.place_name("nook-left") == "nook left"
 
 
 def test_without_friction_nothing_is_thrown_and_the_energy_is_kept() -> None:

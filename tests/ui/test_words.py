@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 
 from pool2d.assets import asset
+from pool2d.game.drills import MISSES
+from pool2d.game.rules import GAMES
+from pool2d.game.rules.words import ENGLISH as RULINGS
 from pool2d.knobs import walk
 from pool2d.preset import conditions
 from pool2d.settings import GUIDES, Settings
@@ -25,8 +28,13 @@ SHOWS = {"draw", "Heading", "Button", "Toggle", "Choice", "Slider", "TextField",
 NAMES = {"pool2d"}
 ENGLISH = words.catalogue("en").texts
 KNOBS = {f"knob.{name}": knob for name, knob, _ in walk(Knobs())}
-# What English takes from the knobs themselves.
-HINTS = {f"{key}_hint": knob.doc for key, knob in KNOBS.items()}
+OPTIONS = {(game, name): knob for game, rules in GAMES.items() for name, knob, _ in walk(rules.options_type())}
+# What English takes from the knobs and the rules themselves.
+ELSEWHERE = (
+    {f"{key}_hint": knob.doc for key, knob in KNOBS.items()}
+    | {f"option.{game}.{name}_hint": knob.doc for (game, name), knob in OPTIONS.items()}
+    | {f"ruling.{key}": text for key, text in RULINGS.items()}
+)
 
 
 @pytest.fixture(autouse=True)
@@ -67,19 +75,23 @@ def test_a_catalogue_reads_well(language: str) -> None:
 
 @pytest.mark.parametrize("language", words.languages())
 def test_every_language_says_everything(language: str) -> None:
-    wanted = set(ENGLISH) | set(() if language == "en" else HINTS)
+    wanted = set(ENGLISH) | set(() if language == "en" else ELSEWHERE)
     assert set(words.catalogue(language).texts) == wanted
 
 
 @pytest.mark.parametrize("language", words.languages())
 def test_every_language_has_the_same_places_to_fill(language: str) -> None:
     for key, text in words.catalogue(language).texts.items():
-        assert words.places(text) == words.places((ENGLISH | HINTS)[key]), key
+        assert words.places(text) == words.places((ENGLISH | ELSEWHERE)[key]), key
+
+
+def test_a_game_has_one_title() -> None:
+    assert {name: ENGLISH[f"game.{name}"] for name in GAMES} == {name: rules.title for name, rules in GAMES.items()}
 
 
 def test_every_text_asked_for_is_there() -> None:
     for pattern, where in asked():
-        assert any(re.fullmatch(pattern, key) for key in ENGLISH | HINTS), f"{where} asks for {pattern}"
+        assert any(re.fullmatch(pattern, key) for key in ENGLISH | ELSEWHERE), f"{where} asks for {pattern}"
 
 
 def test_no_text_is_idle() -> None:
@@ -102,6 +114,10 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [f"tuning.page.{page}" for page in tuning.PAGES]
     wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in vectors.LEGEND]
+    wanted += [f"game.{name}" for name in GAMES]
+    wanted += [f"option.{name}" for _, name in OPTIONS]
+    wanted += [f"choice.{value}" for knob in OPTIONS.values() for value in knob.choices]
+    wanted += [f"drill.missed.{key}" for key in MISSES]
     assert [key for key in wanted if key not in ENGLISH] == []
 
 

@@ -122,7 +122,8 @@ class Rules(Generic[S]):
     """The rules of one game on one table, with options.
 
     A game fills in the class attributes and `start`, `judge` and `picked`. `racks` are the racks it can be played
-    from, the first that the table has being taken; `groups` the groups of balls that it needs.
+    from, the first that the table has being taken; `groups` the groups of balls that it needs; `scored` tells
+    whether points are counted.
     """
 
     name: ClassVar[str]
@@ -130,6 +131,7 @@ class Rules(Generic[S]):
     players: ClassVar[int] = 2
     racks: ClassVar[tuple[str, ...]] = ()
     groups: ClassVar[tuple[str, ...]] = ()
+    scored: ClassVar[bool] = False
     options_type: ClassVar[type[Options]] = Options
     state_type: ClassVar[type[State]] = State
 

@@ -45,6 +45,7 @@ class OnePocket(PoolRules[OnePocketState]):
 
     name = "one-pocket"
     title = "One-pocket"
+    scored = True
     racks = ("straight-pool",)
     options_type = OnePocketOptions
     state_type = OnePocketState

@@ -55,6 +55,7 @@ class Snooker(Rules[SnookerState]):
 
     name = "snooker"
     title = "Snooker"
+    scored = True
     racks = ("snooker",)
     groups = (RED, COLOR)
     options_type = SnookerOptions

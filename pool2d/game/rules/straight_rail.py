@@ -31,6 +31,7 @@ class StraightRail(Carom):
 
     name = "straight-rail"
     title = "Straight rail"
+    scored = True
     options_type = StraightRailOptions
 
     def counts(self, report: Report) -> bool:

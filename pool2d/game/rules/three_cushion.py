@@ -19,6 +19,7 @@ class ThreeCushion(Carom):
 
     name = "three-cushion"
     title = "Three-cushion"
+    scored = True
 
     def counts(self, report: Report) -> bool:
         return cushions_before_last(report) >= 3

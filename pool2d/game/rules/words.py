@@ -1,12 +1,12 @@
-"""What rulings say, in English: the one place to translate.
+"""What rulings say, in English.
 
 A `Note` is a key and what fills its gaps. `say` makes a sentence of it; names of players are put in by
-whoever shows it.
+whoever shows it, and so are other words and names of balls where it is shown in another language.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -65,24 +65,24 @@ ENGLISH: dict[str, str] = {
     "two-visits": "{player} has two visits",
     "respotted": "the balls are put on their spots",
     "last-inning": "{player} has the last inning, from the starting position",
-    # What may be chosen; after a colon comes what it is about.
+    # What may be chosen, as short as a button wants it; after a colon comes what it is about.
     "choice.accept": "Play the balls as they lie",
-    "choice.kitchen": "Take the cue ball behind the head string",
+    "choice.kitchen": "Cue ball to the kitchen",
     "choice.play": "Play",
     "choice.pass": "Let the opponent play",
     "choice.hand-back": "Hand the shot back",
     "choice.re-rack": "Rack again and break",
-    "choice.opponent-breaks": "Rack again; the opponent breaks",
-    "choice.spot": "Spot the ball nearest to the head string",
+    "choice.opponent-breaks": "Opponent breaks again",
+    "choice.spot": "Spot the nearest ball",
     "choice.spot-eight": "Spot the 8 and play on",
-    "choice.play-again": "Let the opponent play again",
-    "choice.put-back": "Put the balls back; the opponent plays again",
-    "choice.baulk": "Take the cue ball to baulk",
+    "choice.play-again": "Opponent plays again",
+    "choice.put-back": "Put the balls back",
+    "choice.baulk": "Cue ball to baulk",
     "choice.claim": "Claim the frame",
     "choice.group": "Play the {what}s",
-    "choice.respot": "Put the touching balls on their spots",
-    "choice.start-spot": "Start from the {what} spot",
-    "choice.pocket": "Score in the {what} pocket",
+    "choice.respot": "Spot touching balls",
+    "choice.start-spot": "From the {what} spot",
+    "choice.pocket": "The {what} pocket",
 }
 
 
@@ -106,17 +106,27 @@ class Note:
         return {"key": self.key, "player": self.player, "ball": self.ball, "points": self.points}
 
 
-def say(note: Note, names: Sequence[str] = ("Player 1", "Player 2"), words: Mapping[str, str] = ENGLISH) -> str:
-    """A note as a sentence."""
+def called(ball: str) -> str:
+    """What a ball is called: of many alike, such as red7, the number is of no interest."""
+    if ball.isdigit():
+        return ball
+    # Only at carom is the ball named cue spoken of by its name: there it is the white of two cue balls.
+    return "white" if ball == "cue" else ball.rstrip("0123456789")
+
+
+def say(
+    note: Note,
+    names: Sequence[str] = ("Player 1", "Player 2"),
+    words: Mapping[str, str] = ENGLISH,
+    called: Callable[[str], str] = called,
+) -> str:
+    """A note as a sentence; `called` names balls."""
     player = names[note.player] if 0 <= note.player < len(names) else ""
-    # Of many alike, such as red7, the number is of no interest.
-    ball = note.ball if note.ball.isdigit() else note.ball.rstrip("0123456789")
-    ball = "cue ball" if ball == "cue" else ball
-    text = words[note.key].format(player=player, ball=ball, points=note.points)
+    text = words[note.key].format(player=player, ball=called(note.ball), points=note.points)
     return text[:1].upper() + text[1:] + "."
 
 
-def label(key: str, words: Mapping[str, str] = ENGLISH) -> str:
-    """What an option is called."""
+def label(key: str, words: Mapping[str, str] = ENGLISH, called: Callable[[str], str] = str) -> str:
+    """What an option is called; `called` names what it is about."""
     name, _, what = key.partition(":")
-    return words[f"choice.{name}"].format(what=what)
+    return words[f"choice.{name}"].format(what=called(what))

@@ -1,0 +1,62 @@
+"""What the rules and the drills say, in the player's language.
+
+Their English is their own: a catalogue has `ruling.<key>` and `option.<game>.<option>_hint` only in another language.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from string import digits
+
+from ..game.drills import Drill, Wording
+from ..game.rules import Note
+from ..game.rules import words as rules
+from .telling import ball_name, place_name
+from .words import language, say, say_or
+
+
+def told(note: Note, names: Sequence[str]) -> str:
+    """A note of a ruling as a sentence; `names` are the players'."""
+    return rules.say(note, names, _template(note.key), _ball)
+
+
+def option(key: str) -> str:
+    """What one of `Ask.options` is called."""
+    called = _ball if key.startswith("group:") else place_name
+    return rules.label(key, _template("choice." + key.partition(":")[0]), called)
+
+
+def title(game: str) -> str:
+    """The title of a game."""
+    return say(f"game.{game}")
+
+
+def setting(name: str) -> str:
+    """What is set by one of a game's options; what its values are called is `choice.<value>`."""
+    return say(f"option.{name}")
+
+
+def setting_hint(game: str, name: str, doc: str) -> str:
+    """What one of a game's options does; `doc` is what its knob says, in English."""
+    return say_or(f"option.{game}.{name}_hint", doc)
+
+
+def wording(drill: Drill) -> Wording:
+    """A drill's name and text; in English, or what language it was written in, where it is not translated."""
+    return drill.said(language())
+
+
+def missed(key: str) -> str:
+    """Why a stroke did not do what a drill wants, from `Standing.missed`."""
+    return say(f"drill.missed.{key}") if key else ""
+
+
+def _template(key: str) -> dict[str, str]:
+    return {key: say_or(f"ruling.{key}", rules.ENGLISH[key])}
+
+
+def _ball(ball: str) -> str:
+    """What a ball is called in a sentence, as by the rules' `called`."""
+    if ball.isdigit():
+        return say("ball.numbered", number=ball)
+    return ball_name("white" if ball == "cue" else ball.rstrip(digits), "cue")

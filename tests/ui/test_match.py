@@ -1,0 +1,168 @@
+"""A match in the window: calls, choices, the scoreboard, and what the referee says."""
+
+from __future__ import annotations
+
+import pygame
+import pytest
+
+from pool2d import Layout, load_table
+from pool2d.game.match import Setup
+from pool2d.game.rules import AIM, CHOOSE, PLACE
+from pool2d.game.session import Session, recorded
+from pool2d.ui import words
+
+from .conftest import Hand
+
+
+def begin(hand: Hand, game: str = "eight-ball", table: str = "pool-9ft", **more: object) -> Session:
+    """Start a match in the window."""
+    setup = Setup(game=game, names=("Ann", "Bob"), breaker=0, seed=4, **more)  # type: ignore[arg-type]
+    session = recorded(load_table(table), setup)
+    hand.play.begin(session)
+    hand.app.redraw()
+    hand.app.step(0.0)
+    return session
+
+
+def strike(hand: Hand) -> None:
+    """Strike by key and see it to the end."""
+    hand.key(pygame.K_SPACE)
+    hand.key(pygame.K_SPACE)
+    hand.app.step(0.5)
+    hand.wait_for_rest()
+
+
+def test_a_break_is_judged_and_the_referee_says_what_is_next(hand: Hand) -> None:
+    session = begin(hand)
+    assert "Ann breaks" in hand.play.message
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.005)
+    strike(hand)
+    assert session.match.now.report is not None
+    assert hand.play.message == hand.play.referee.verdict(session)
+    assert any(name in hand.play.message for name in ("Ann", "Bob"))
+
+
+def test_a_choice_is_offered_as_buttons_and_taken_by_digit(hand: Hand) -> None:
+    session = begin(hand)
+    # A break that is too soft: the opponent may choose.
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
+    strike(hand)
+    assert session.ask.kind == CHOOSE
+    assert len(hand.play.referee.form.widgets) == len(session.ask.options) > 1
+    strokes = session.strokes
+    hand.key(pygame.K_SPACE, 0)
+    hand.key(pygame.K_1)
+    assert session.ask.kind != CHOOSE
+    assert session.strokes <= strokes
+
+
+def test_a_button_of_the_strip_is_pressed_by_mouse_and_moves_no_aim(hand: Hand) -> None:
+    session = begin(hand)
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
+    strike(hand)
+    hand.app.step(0.0)
+    button = hand.play.referee.form.widgets[1]
+    aim = hand.play.hands.aim
+    hand.move(button.rect.center)
+    hand.press()
+    assert hand.play.hands.pull is None
+    hand.release()
+    assert session.ask.kind != CHOOSE
+    assert hand.play.hands.aim == aim
+
+
+def test_a_pocket_is_called_by_a_click_and_by_key(hand: Hand) -> None:
+    session = begin(hand, "straight")
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(8.0).toward(1.0, 0.01)
+    pocket = session.table.geometry.pockets[3]
+    assert session.ask.call == "pocket"
+    hand.point(pocket.x, pocket.y)
+    hand.press()
+    hand.release()
+    assert hand.play.referee.pocket == pocket.name
+    assert session.strokes == 0
+    hand.key(pygame.K_c)
+    called = hand.play.referee.pocket
+    assert called == session.table.geometry.pockets[4].name
+    one = session.layout["1"]
+    hand.point(one.x, one.y)
+    hand.key(pygame.K_SPACE)
+    action = session.match.now.action
+    assert action is not None
+    assert action.call.pocket == called  # type: ignore[union-attr]
+    assert action.call.ball  # type: ignore[union-attr]
+    hand.wait_for_rest()
+    assert hand.play.referee.pocket == ""
+
+
+def test_an_aim_at_a_ball_that_is_not_on_is_told(hand: Hand) -> None:
+    session = begin(hand, "nine-ball")
+    one = session.layout["1"]
+    hand.point(one.x, one.y)
+    hand.app.step(0.0)
+    assert hand.play.referee.warning(session, "1") == ""
+    assert hand.play.referee.warning(session, "9") == "The 9 is not on."
+    assert hand.play.aimed(hand.play.hands.aim.shot("cue")) == "1"
+
+
+def test_in_a_match_the_table_stays_and_nothing_is_racked(hand: Hand) -> None:
+    session = begin(hand)
+    before = session.match.now
+    hand.key(pygame.K_n)
+    hand.key(pygame.K_t)
+    assert hand.play.tuning is None
+    assert session.match.now is before
+    assert hand.play.message.startswith("Only in practice")
+
+
+def test_undo_and_redo(hand: Hand) -> None:
+    session = begin(hand)
+    start = session.match.now
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.005)
+    strike(hand)
+    after = session.match.now
+    hand.key(pygame.K_u)
+    assert session.match.now is start
+    hand.key(pygame.K_y, pygame.KMOD_CTRL)
+    assert session.match.now is after
+    hand.key(pygame.K_y, pygame.KMOD_CTRL)
+    assert "nothing to do again" in hand.play.message
+
+
+def test_a_ball_in_hand_goes_only_where_the_ruling_allows(hand: Hand) -> None:
+    session = begin(hand, "snooker", "snooker-12ft")
+    assert session.ask.where == "d"
+    if session.ask.kind == PLACE:
+        hand.point(2.0, 0.9)
+        hand.press()
+        hand.release()
+        assert session.in_hand
+        hand.point(session.table.furniture.spots["head"][0] - 0.1, session.table.furniture.spots["head"][1])
+        hand.press()
+        hand.release()
+    assert session.ask.kind == AIM
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720)])
+def test_names_and_scores_stay_beside_the_tray(hand: Hand, size: tuple[int, int], language: str) -> None:
+    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    words.speak(language)
+    try:
+        session = begin(hand, "straight", race=3)
+        assert session.match.setup.race == 3
+        tray = hand.play.stage.screen.tray
+        bar = pygame.surfarray.array3d(hand.app.surface.subsurface(tray)).max(axis=2)
+        assert (bar < 120).all(), "nothing is written where fallen balls lie"
+        left = pygame.surfarray.array3d(hand.app.surface.subsurface((0, 0, tray.left, tray.height))).max(axis=2)
+        assert (left > 150).any()
+    finally:
+        words.speak("en")
+
+
+def test_the_layout_of_a_match_is_not_arranged(hand: Hand) -> None:
+    session = begin(hand)
+    layout = session.layout
+    with pytest.raises(Exception, match="practice only"):
+        session.arrange(Layout())
+    assert session.layout is layout
