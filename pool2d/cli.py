@@ -122,7 +122,9 @@ def _replay(arguments: argparse.Namespace) -> int:
         return replay.to_png(path, Path(arguments.png), number, _size(arguments.size or "960x540"))
     if arguments.gif:
         return replay.to_gif(path, Path(arguments.gif), number, _size(arguments.size or "640x360"))
-    return replay.show(path)
+    if arguments.list:
+        return replay.tell(path)
+    return replay.show(path, number)
 
 
 def _tables(arguments: argparse.Namespace) -> int:
@@ -176,7 +178,7 @@ def _parser() -> argparse.ArgumentParser:
     render.add_argument("out", metavar="OUT.png", help="the picture to write")
     render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
 
-    replay = commands.add_parser("replay", help="Look at a recorded match, verify it, or export a shot.")
+    replay = commands.add_parser("replay", help="Look at a recorded match in a window, verify it, or export a shot.")
     replay.set_defaults(run=_replay)
     replay.add_argument("file", metavar="FILE", help="a record")
     what = replay.add_mutually_exclusive_group()
@@ -184,7 +186,7 @@ def _parser() -> argparse.ArgumentParser:
     what.add_argument("--verify", action="store_true", help="play it again, and name where it first differs")
     what.add_argument("--png", metavar="DIR", help="write a shot as pictures, 25 a second")
     what.add_argument("--gif", metavar="FILE", help="write a shot as a moving picture")
-    replay.add_argument("--shot", metavar="N", help="which shot, counted from 1; without it the last")
+    replay.add_argument("--shot", metavar="N", help="which shot, from 1; without it the first, or to export the last")
     replay.add_argument("--size", metavar="WxH", help="of the pictures, in pixels (960x540; of a GIF 640x360)")
 
     tables = command("tables", _tables, "List the tables, show one, check files, or start a table of your own.")

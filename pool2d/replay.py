@@ -1,4 +1,4 @@
-"""What `pool2d replay` does: verify a record, or export a shot of it as pictures."""
+"""What `pool2d replay` does: show a record, list or verify it, or export a shot of it as pictures."""
 
 from __future__ import annotations
 
@@ -55,7 +55,14 @@ def to_gif(path: Path, out: Path, number: int | None, size: tuple[int, int]) -> 
     return 0
 
 
-def show(path: Path) -> int:
+def show(path: Path, number: int | None) -> int:
+    """Show a record in a window, from a stroke on."""
+    from .ui.start import replay
+
+    return replay(path, number)
+
+
+def tell(path: Path) -> int:
     """List the strokes of a record."""
     from .game.rules import say
 

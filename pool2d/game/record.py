@@ -258,20 +258,34 @@ def restored(record: Record) -> Match:
 
 
 class Take(NamedTuple):
-    """A stroke of a record, to be looked at: its number, counted from 1, its line, and the moment it led to."""
+    """A stroke of a record, to be looked at: its number, counted from 1, its line, and the moment it led to.
+
+    `before` is the moment in which it was played; `same` whether it rolls as it was recorded.
+    """
 
     number: int
     line: int
     match: Match
+    before: Moment
     moment: Moment
     rollout: Rollout
+    same: bool
 
 
-def takes(record: Record) -> list[Take]:
-    """Every stroke of a record in its order, also those that were undone; raises InputError."""
-    found: list[Take] = []
+def strokes(record: Record) -> Iterator[Take]:
+    """Every stroke of a record in its order, also those that were undone, each worked out when it is asked for.
+
+    Raises InputError where an entry's action is refused.
+    """
+    number = 0
     for entry, match in replayed(record):
         rollout = match.now.rollout
         if entry.data["do"] == "stroke" and rollout is not None:
-            found.append(Take(len(found) + 1, entry.line, match, match.now, rollout))
-    return found
+            number += 1
+            same = rollout.digest() == entry.data.get("digest")
+            yield Take(number, entry.line, match, match.history[-2], match.now, rollout, same)
+
+
+def takes(record: Record) -> list[Take]:
+    """Every stroke of a record; raises InputError."""
+    return list(strokes(record))

@@ -13,10 +13,10 @@ from ..game.session import practice
 from ..preset import load_table, preset_files
 from ..settings import GUIDES, Store
 from ..table import Table
-from . import text, theme, words
+from . import text, words
 from .dialog import Dialog
 from .drill_scene import open_drills
-from .effects import Effects
+from .effects import effects_of, style_of
 from .keys import KEYS, action_of
 from .lobby import Lobby
 from .options import Options
@@ -214,9 +214,8 @@ class App:
         words.tell_speeds_in(values.aiming.speed_unit)
         self.toasts.still = values.screen.reduced_motion
         self.play.level = GUIDES.index(values.aiming.guide)
-        palette = theme.PALETTES.get(values.balls.palette, theme.STANDARD)
-        self.play.effects = Effects(values.balls.trails, values.screen.reduced_motion)
-        self.play.stage.style = theme.Style(palette, values.balls.patterned)
+        self.play.effects = effects_of(values)
+        self.play.stage.style = style_of(values)
         if self.play.tuning is not None:
             self.play.tuning.lay_out()
         self.sounds.volume = values.sound.volume

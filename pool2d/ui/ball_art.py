@@ -73,8 +73,8 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
         sprites.append(Sprite(ball.look, style, radius, step, _rounded(ball.lie, radius), level))
         half = light(radius).half
         corners.append((x - half, y - half))
-    surface.fblits(shadows)
-    surface.fblits(list(zip(_images(sprites), corners, strict=True)))
+    surface.blits(shadows, False)
+    surface.blits(list(zip(_images(sprites), corners, strict=True)), False)
 
 
 @lru_cache(maxsize=256)

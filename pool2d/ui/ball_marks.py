@@ -117,7 +117,10 @@ def _number(digits: str) -> pygame.Surface:
     factor *= 0.9 if lined else 1.0
     width, height = round(written.get_width() * factor), round(written.get_height() * factor)
     left, top = (_LARGE - width) // 2, (_LARGE - height) // 2 - (round(0.06 * unit) if lined else 0)
-    scaled = pygame.transform.smoothscale(written.convert(large), (width, height))
+    # Scaled in the depth of `large`, which `convert` would ask the display for.
+    plain = pygame.Surface(written.get_size(), depth=32)
+    plain.blit(written, (0, 0))
+    scaled = pygame.transform.smoothscale(plain, (width, height))
     # The font's strokes are made bolder: they have to be read when they are a pixel wide.
     for x, y in ((-_BOLD, 0), (_BOLD, 0), (0, -_BOLD), (0, _BOLD)):
         large.blit(scaled, (left + x, top + y), special_flags=pygame.BLEND_RGB_MAX)

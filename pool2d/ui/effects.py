@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..settings import Settings
+from . import theme
+
 
 @dataclass(frozen=True, slots=True)
 class Effects:
@@ -26,3 +29,13 @@ class Effects:
     def eased(self) -> bool:
         """Whether the camera glides to where it is sent; otherwise it is there at once."""
         return not self.reduced_motion
+
+
+def effects_of(values: Settings) -> Effects:
+    """What the settings allow to move."""
+    return Effects(values.balls.trails, values.screen.reduced_motion)
+
+
+def style_of(values: Settings) -> theme.Style:
+    """How the settings want balls drawn."""
+    return theme.Style(theme.PALETTES.get(values.balls.palette, theme.STANDARD), values.balls.patterned)

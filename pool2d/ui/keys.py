@@ -80,7 +80,7 @@ TOGETHER = (
     ("look_up", "look_left", "look_down", "look_right"),
 )
 HELD = ("fast",)
-HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "ball", "cue", "place", "carry", "put")
+HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "shots", "ball", "cue", "place", "carry", "put")
 
 # What goes back and what only changes other keys cannot be bound; nor can going back be bound to another key.
 FIXED = ("cancel",)

@@ -21,6 +21,7 @@ from .menu import Banner, Entry, Menu, pause_menu
 from .new_match import NewMatch
 from .options import Options
 from .play import Play
+from .replays import open_replays
 from .rulings import title
 from .scene import Scene
 from .words import say
@@ -49,6 +50,7 @@ class Lobby:
             Entry(lambda: say("menu.new"), lambda: self._new_match(menu)),
             Entry(lambda: title(PRACTICE), lambda: self.play),
             Entry(lambda: say("drill.title"), lambda: open_drills(menu, self.play)),
+            Entry(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds)),
             *self._always(lambda: menu),
         ]
         menu = Menu(self.play, Banner(), entries)

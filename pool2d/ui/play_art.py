@@ -12,6 +12,9 @@ from ..game.rules.spotting import KITCHEN, D
 from ..physics.strike import hop
 from . import cue_art, hud, scoreboard, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
+from .effects import Effects
+from .playback import Playback
+from .stage import Stage
 from .words import say
 
 if TYPE_CHECKING:
@@ -30,7 +33,7 @@ def draw(surface: pygame.Surface, play: Play) -> None:
     if play.playback is None:
         _at_rest(surface, play)
     else:
-        _in_motion(surface, play)
+        in_motion(surface, play.stage, play.playback, play.effects)
     if play.geometry:
         draw_geometry(ScreenPen(surface, play.stage.view), play.session.table)
     if play.vectors:
@@ -101,15 +104,13 @@ def _area(surface: pygame.Surface, play: Play) -> None:
     surface.blit(shade, (0, 0))
 
 
-def _in_motion(surface: pygame.Surface, play: Play) -> None:
+def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: Effects) -> None:
     """The balls of a shot at its moment, their trails, and the cue that struck."""
-    shown, stage, table = play.playback, play.stage, play.session.table
-    assert shown is not None
-    if play.effects.trail:
-        trail.draw(surface, shown.rollout, shown.time, table, stage.view)
+    if effects.trail:
+        trail.draw(surface, shown.rollout, shown.time, stage.table, stage.view)
     stage.balls(surface, shown.rollout.at(shown.time), shown.rollout, shown.time)
-    if play.effects.stroke and shown.shot is not None:
-        stroke.draw(surface, table, shown.rollout.start[shown.shot.ball], shown.shot, shown.time, stage.view)
+    if effects.stroke and shown.shot is not None:
+        stroke.draw(surface, stage.table, shown.rollout.start[shown.shot.ball], shown.shot, shown.time, stage.view)
 
 
 def _vectors(surface: pygame.Surface, play: Play) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pygame
@@ -26,6 +28,50 @@ def play(load: Callable[[], Table], seed: int | None = None, frames: int | None 
 
     Raises InputError where there is no display, and whatever `load` raises.
     """
+    with _opened(frames) as (splash, store, size):
+        # What the game needs takes several times as long to read as the window to open.
+        from .app import App
+
+        splash.tell(0.4)
+        table = load()
+        splash.tell(0.7)
+        seed = time.time_ns() & 0x3FFFFFFF if seed is None else seed
+        app = App(table, seed, size, store, splash.surface, menu)
+        splash.tell(1.0)
+        app.run(frames)
+        app.close()
+    return 0
+
+
+def replay(path: Path, number: int | None = None, frames: int | None = None) -> int:
+    """Open a window and show a record, from a shot on if its number is given; returns the exit status.
+
+    Raises InputError where there is no display, no such shot, or the file is no good record.
+    """
+    with _opened(frames) as (splash, store, size):
+        from ..game.record import load
+        from ..game.reel import Reel
+        from .app import App
+        from .replay_scene import Replay
+
+        splash.tell(0.4)
+        reel = Reel(load(path, torn=True))
+        if number is not None and not 1 <= number <= len(reel):
+            raise InputError("command line", "--shot", number, f"allowed is 1 to {len(reel)}")
+        splash.tell(0.7)
+        app = App(reel[0].match.table, 0, size, store, splash.surface)
+        shown = Replay(reel, None, store, app.sounds)
+        shown.go((number or 1) - 1)
+        app.scene = shown
+        splash.tell(1.0)
+        app.run(frames)
+        app.close()
+    return 0
+
+
+@contextmanager
+def _opened(frames: int | None) -> Iterator[tuple[Splash, Store, tuple[int, int]]]:
+    """A window with the splash on it, the settings, and its size by them; raises InputError without a display."""
     store = Store.open()
     try:
         size = first_size(store)
@@ -36,17 +82,6 @@ def play(load: Callable[[], Table], seed: int | None = None, frames: int | None 
         if frames is None and pygame.display.get_driver() in _UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
             raise InputError("display", "", None, "no screen was found to open a window on")
         words.speak(store.values.screen.language)
-        splash = Splash(surface)
-        # What the game needs takes several times as long to read as the window to open.
-        from .app import App
-
-        splash.tell(0.4)
-        table = load()
-        splash.tell(0.7)
-        app = App(table, time.time_ns() & 0x3FFFFFFF if seed is None else seed, size, store, surface, menu)
-        splash.tell(1.0)
-        app.run(frames)
-        app.close()
+        yield Splash(surface), store, size
     finally:
         pygame.display.quit()
-    return 0

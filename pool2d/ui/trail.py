@@ -63,7 +63,8 @@ def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view
         if points:
             radius = table.body_of(ball)[0] * view.scale
             dabs += _along([(1.0 - (t - then) / LENGTH, *view.to_screen(x, y)) for then, x, y in points], radius)
-    surface.fblits(dabs, pygame.BLEND_RGB_ADD)
+    for dab, at in dabs:
+        surface.blit(dab, at, None, pygame.BLEND_RGB_ADD)
 
 
 def _along(points: Trace, radius: float) -> list[Dab]:

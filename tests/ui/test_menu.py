@@ -86,7 +86,7 @@ def shown(hand: Hand) -> object:
 
 
 def test_the_menu_offers_what_there_is(guest: Hand) -> None:
-    assert labels(guest) == ["New match", "Practice", "Drills", "Options", "Help", "Quit"]
+    assert labels(guest) == ["New match", "Practice", "Drills", "Replays", "Options", "Help", "Quit"]
 
 
 @pytest.mark.parametrize("by_mouse", [False, True])

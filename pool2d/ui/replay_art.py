@@ -1,0 +1,164 @@
+"""What a recorded match looks like on the window: the shot, whose it is, how the match stands, what came of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pygame
+
+from ..game.actions import Stroke
+from ..game.match import Moment
+from ..game.record import Take
+from ..game.reel import Reel
+from . import pen, play_art, rulings, shapes, text, theme, vectors
+from .debug import ScreenPen, draw_geometry
+from .effects import effects_of
+from .hud import Screen
+from .telling import place_name
+from .widgets import plate
+from .words import say
+
+if TYPE_CHECKING:
+    from .replay_scene import Replay
+
+
+def draw(surface: pygame.Surface, replay: Replay) -> None:
+    """Draw the whole window."""
+    screen = Screen(*surface.get_size())
+    take, shown, stage = replay.reel[replay.at], replay.playback, replay.stage
+    stage.begin(surface, take.match.table)
+    play_art.in_motion(surface, stage, shown, effects_of(replay.store.values))
+    if replay.geometry:
+        draw_geometry(ScreenPen(surface, stage.view), stage.table)
+    if replay.vectors:
+        vectors.draw(surface, shown.rollout.at(shown.time), stage.table, stage.view)
+        if shown.shot is not None and shown.time <= 0.0:
+            vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
+        vectors.draw_legend(surface, screen)
+    _upper_bar(surface, screen, replay, take)
+    _caption(surface, screen, caption(replay))
+    replay.timeline.place(screen, 0)
+    replay.timeline.draw(surface, shown, stage.table)
+
+
+# The upper bar: from shot to shot on the left, the players on the right.
+
+
+def button(action: str, screen: Screen) -> pygame.Rect:
+    """The place of a button: "earlier", "list" between them, and "later"."""
+    unit = screen.unit
+    left, width = {"earlier": (2, 3), "list": (6, 17), "later": (24, 3)}[action]
+    return pygame.Rect(left * unit, unit // 2, width * unit, 3 * unit)
+
+
+def under(pos: tuple[int, int], screen: Screen) -> str:
+    """The action of the button at a place, if any."""
+    return next((action for action in ("earlier", "list", "later") if button(action, screen).collidepoint(pos)), "")
+
+
+def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: Take) -> None:
+    unit, bar = screen.unit, screen.top
+    surface.fill(theme.PANEL[:3], bar)
+    pointed = "" if replay.timeline.hover is None else under(replay.timeline.hover, screen)
+    for action in ("earlier", "list", "later"):
+        box = button(action, screen)
+        lit = action == pointed
+        plate(surface, box, theme.FACE_LIT if lit else theme.FACE, unit, theme.TEXT if lit else None)
+        possible = replay.at > 0 if action == "earlier" else replay.at + 1 < len(replay.reel)
+        if action != "list":
+            _skip(surface, box, -1.0 if action == "earlier" else 1.0, theme.TEXT if possible else theme.EDGE)
+    told = say("replay.shot", number=replay.at + 1, count=len(replay.reel))
+    box = button("list", screen)
+    text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
+    left = button("later", screen).right + 2 * unit
+    title = text.fitted(rulings.title(take.match.rules.name), screen.small, screen.tray.left - left)
+    text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
+    replay.stage.tray(surface)
+    # Until a shot has come to its end the score is the one that it was played at.
+    _players(surface, screen, take, take.moment if replay.playback.ended else take.before)
+
+
+def _players(surface: pygame.Surface, screen: Screen, take: Take, moment: Moment) -> None:
+    """Names and scores, from the right; who played the shot stands out."""
+    x, y = float(screen.width - 2 * screen.unit), screen.top.centery
+    names = take.match.names
+    widest = (screen.width - screen.tray.right - (1 + 2 * len(names)) * screen.unit) // len(names)
+    for player in reversed(range(len(names))):
+        score = standing(take, moment, player)
+        color = theme.ACCENT if player == take.moment.shooter else theme.QUIET
+        room = widest - text.font(screen.small).size(score)[0] - screen.unit
+        told = text.draw(surface, score, screen.small, theme.TEXT, (x, y), (1.0, 0.5))
+        name = text.fitted(names[player], screen.small, room)
+        told = text.draw(surface, name, screen.small, color, (told.left - screen.unit, y), (1.0, 0.5))
+        x = told.left - 3.0 * screen.unit
+
+
+def standing(take: Take, moment: Moment, player: int) -> str:
+    """How a player stands: the frames won, where there are several to win, and the points of this one."""
+    frames, points = str(moment.tallies[player].frames), str(moment.state.scores[player])
+    if not take.match.rules.scored:
+        return frames
+    return points if take.match.setup.race == 1 else f"{frames} ({points})"
+
+
+def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.Color) -> None:
+    """The sign of going to another shot."""
+    x, y, r = box.centerx, box.centery, box.height * 0.22
+    for at in (-1.0, 0.1):
+        tip, back = x + side * r * (at + 1.0), x + side * r * at
+        pen.polygon(surface, color, [(back, y - r), (back, y + r), (tip, y)])
+
+
+# What is said over the table's lower edge.
+
+
+def caption(replay: Replay) -> tuple[str, bool]:
+    """What there is to say of the moment shown, and whether something is wrong."""
+    take, shown = replay.reel[replay.at], replay.playback
+    if not take.same:
+        return say("replay.differs"), True
+    if shown.ended:
+        said = [say("replay.undone")] if take.line in replay.reel.undone else []
+        said += [rulings.told(note, take.match.names) for note in take.moment.ruling.notes]
+        return " ".join(said), False
+    if shown.time <= 0.0:
+        return called(take), False
+    if replay.reel.fault is not None and replay.at + 1 == len(replay.reel):
+        return str(replay.reel.fault), True
+    return "", False
+
+
+def line(reel: Reel, take: Take) -> str:
+    """A shot in a list: its number, who played it, and what came of it."""
+    notes = " ".join(rulings.told(note, take.match.names) for note in take.moment.ruling.notes)
+    name = take.match.names[take.moment.shooter]
+    back = f" ({say('replay.taken_back')})" if take.line in reel.undone else ""
+    return f"{take.number}   {name}{back}   {notes}".rstrip()
+
+
+def called(take: Take) -> str:
+    """What the player said before the shot; empty where nothing was."""
+    call = take.moment.action.call if isinstance(take.moment.action, Stroke) else None
+    if call is None or not (call.ball or call.pocket or call.safety or call.push):
+        return ""
+    pocket = place_name(call.pocket) if call.pocket else ""
+    what = [call.ball, pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
+    name = take.match.names[take.moment.shooter]
+    return say("replay.calls", player=name, what=", ".join(filter(None, what)))
+
+
+def _caption(surface: pygame.Surface, screen: Screen, said: tuple[str, bool]) -> None:
+    """A line or two over the table's lower edge."""
+    words, wrong = said
+    if not words:
+        return
+    unit, size = screen.unit, screen.small
+    lines = text.wrap(words, size, screen.width * 3 // 4)
+    pitch = text.font(size).get_linesize()
+    width = max(text.font(size).size(line)[0] for line in lines) + 4 * unit
+    box = pygame.Rect(0, 0, width, pitch * len(lines) + unit)
+    box.midbottom = (screen.width // 2, screen.bottom.top - unit // 2)
+    shapes.panel(surface, box, unit)
+    for i, line in enumerate(lines):
+        place = (box.centerx, box.top + unit // 2 + i * pitch)
+        text.draw(surface, line, size, theme.WARNING if wrong else theme.TEXT, place, (0.5, 0.0))
