@@ -26,7 +26,8 @@ TABLES = {
     for cushion in CUSHION_LAWS
 }
 ANY_TABLE = st.sampled_from(list(TABLES)).map(TABLES.__getitem__)
-# Each contact of balls makes some twenty times of a difference; after this many it is still to be told from one.
+# Each contact with what is round, a ball or a jaw, makes some twenty times of a difference; after this many it is
+# still to be told from one.
 CONTACTS = 5
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from .balls import FRICTION, normal, push, slip
 from .cushions import NOSES, along_nose, rate
+from .detect import TOUCH
 from .gentle import rebound
 
 if TYPE_CHECKING:
@@ -92,7 +93,7 @@ class BallSpring:
         self.impulse = None
         if d <= 0.0:
             return
-        self.met = True
+        self.met = self.met or d > TOUCH
         root = math.sqrt(d)
         along = dt * (self.stiffness * d * root + self.loss * math.sqrt(root) * closing)
         if along > 0.0:
@@ -158,7 +159,7 @@ class NoseSpring:
         if d <= 0.0:
             self.deepest = 0.0
             return
-        self.met = True
+        self.met = self.met or d > TOUCH
         force = self._force(d)
         if state[1] < 0.0 and force < _SPENT * self.stiffness * self.deepest:
             self.depth = self.deepest = 0.0
