@@ -105,7 +105,8 @@ def across(ball: Ball) -> Ball:
 
 def until_chaos(roll: Rollout) -> float:
     """The time up to which a last digit has not become one that counts."""
-    hits = [event.t for event in roll.events if event.kind in ("ball_ball", "cluster")]
+    met = [(event.t, *event.pairs, *(rail for rail in event.rails if rail[1].endswith("jaw"))) for event in roll.events]
+    hits = [t for t, *contacts in met for _ in contacts]
     return hits[CONTACTS] - 1e-6 if len(hits) > CONTACTS else roll.duration + 1e-6
 
 
