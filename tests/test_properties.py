@@ -105,8 +105,8 @@ def across(ball: Ball) -> Ball:
 
 def until_chaos(roll: Rollout) -> float:
     """The time up to which a last digit has not become one that counts."""
-    met = [(event.t, *event.pairs, *(rail for rail in event.rails if rail[1].endswith("jaw"))) for event in roll.events]
-    hits = [t for t, *contacts in met for _ in contacts]
+    jaws = [event.t for event in roll.events for _, name in event.rails if name.endswith("jaw")]
+    hits = sorted(jaws + [event.t for event in roll.events for _ in event.pairs])
     return hits[CONTACTS] - 1e-6 if len(hits) > CONTACTS else roll.duration + 1e-6
 
 
