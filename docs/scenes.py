@@ -12,12 +12,16 @@ import pygame
 from pool2d import Ball, Shot
 from pool2d.catalogue import TABLES, shipped
 from pool2d.game.actions import Stroke
+from pool2d.game.drill_file import load as load_drill
 from pool2d.game.match import Match, Setup
 from pool2d.game.record import load
 from pool2d.game.recorder import record
 from pool2d.game.reel import Reel
+from pool2d.game.session import Session
+from pool2d.ui.drill_scene import DrillPlay
 from pool2d.ui.inputs import Slider
 from pool2d.ui.replay_scene import Replay
+from pool2d.ui.scene import Scene as ScreenScene
 from tests.ui.conftest import FRAME, Hand
 
 
@@ -144,6 +148,78 @@ def rest(hand: Hand) -> None:
     hand.point(0.8 * width, 0.5 * height)
 
 
+def match(hand: Hand, game: str = "eight-ball", speed: float = 9.5) -> Session:
+    """A match, its break played and ruled on."""
+    session = Session(Match(hand.play.session.table, Setup(game, names=("Ann", "Bob"), race=3, breaker=0, seed=4)))
+    hand.app.scene = hand.app.lobby.begin(session)
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(speed).toward(1.0, 0.004)
+    strike(hand)
+    return session
+
+
+def strike(hand: Hand) -> None:
+    """Strike what is aimed, and see it to its end at once."""
+    hand.key(pygame.K_SPACE)
+    hand.key(pygame.K_SPACE)
+    hand.app.step(0.5)
+    hand.wait_for_rest()
+
+
+def choosing(hand: Hand) -> None:
+    """The opponent may choose what follows a break that was too soft."""
+    match(hand, speed=1.0)
+
+
+def new_match(hand: Hand) -> None:
+    """The first entry of the menu."""
+    scene(hand, lambda hand: hand.app.lobby.menu())
+    hand.key(pygame.K_RETURN)
+
+
+def calling(hand: Hand) -> None:
+    """The second player calls a pocket."""
+    session = match(hand)
+    pocket = session.table.geometry.pockets[0]
+    hand.point(pocket.x, pocket.y)
+    hand.press()
+    hand.release()
+    one = session.layout[session.ask.on[0]]
+    hand.point(one.x, one.y)
+
+
+def snooker(hand: Hand) -> None:
+    """A frame of snooker: the cue ball in hand, in the D."""
+    session = Session(Match(hand.play.session.table, Setup("snooker", names=("Ann", "Bob"), breaker=0, seed=4)))
+    hand.app.scene = hand.app.lobby.begin(session)
+    red = session.layout[session.ask.on[0]]
+    hand.point(red.x, red.y + 0.03)
+
+
+def ended(hand: Hand) -> None:
+    """The end of a frame."""
+    session = match(hand)
+    session.concede(0)
+    end = hand.app.lobby.ended()
+    assert end is not None
+    hand.app.scene = end
+
+
+def drill(hand: Hand) -> None:
+    """A drill: its goal is marked on the cloth."""
+    hand.app.scene = DrillPlay(load_drill("follow"), hand.play, hand.play)
+    hand.app.step(FRAME)
+    drilling = hand.app.scene
+    assert isinstance(drilling, DrillPlay)
+    ball = drilling.session.layout["1"]
+    hand.move(drilling.stage.view.to_screen(ball.x, ball.y))
+
+
+def scene(hand: Hand, make: Callable[[Hand], ScreenScene]) -> None:
+    """Another screen over the table."""
+    hand.app.scene = make(hand)
+    hand.app.redraw()
+
+
 def replay(hand: Hand, key: int = 0) -> None:
     """A recorded match, a shot of which is shown; `key` is pressed then."""
     folder = Path(tempfile.mkdtemp(prefix="pool2d-"))
@@ -180,6 +256,15 @@ SCENES: dict[str, Scene] = {
     "keys": Scene("Every key can be bound", keys_page),
     "help": Scene("F1: what keys and hands do", lambda hand: hand.key(pygame.K_F1)),
     "german": Scene("In German, with colours and patterns for colour-blind eyes", german),
+    "menu": Scene("The menu", lambda hand: scene(hand, lambda hand: hand.app.lobby.menu())),
+    "new-match": Scene("A new match", new_match),
+    "choice": Scene("After a break that was too soft: what may be chosen", choosing),
+    "call": Scene("A pocket is called by a click", calling),
+    "snooker": Scene("Snooker: the cue ball in the D", snooker, "snooker-12ft"),
+    "pause": Scene("Esc: the pause", lambda hand: scene(hand, lambda hand: hand.app.lobby.pause())),
+    "frame-over": Scene("The end of a frame", ended),
+    "drills": Scene("F2: drills, each with a goal", lambda hand: hand.key(pygame.K_F2)),
+    "drill": Scene("A drill: where the cue ball has to come to rest", drill),
     "replay": Scene("`pool2d replay`: a recorded match", replay),
     "replay-shots": Scene("G lists its shots", lambda hand: replay(hand, pygame.K_g)),
     **{f"table-{name}": Scene(f"`--table {name}`", rest, name) for name in shipped(TABLES)},
