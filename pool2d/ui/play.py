@@ -2,69 +2,40 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable
 from pathlib import Path
 
 import pygame
 
-from ..errors import BudgetError, InputError
+from ..errors import InputError
 from ..game.rules import AIM
-from ..game.session import Session, practice
-from ..physics.rollout import Rollout
-from ..physics.values import Layout, Shot
-from ..preset import load_table
+from ..game.session import Session
 from ..settings import GUIDES
-from ..table import Table
-from . import guide, play_art, stroke, telling
+from . import play_art
 from .editing import Editing
-from .effects import Effects
-from .hands import Hands
 from .help import Help
-from .in_hand import InHand
-from .keys import KEYS, action_of, fine_step
+from .keys import action_of, fine_step
 from .playback import Playback
-from .referee import Referee
 from .saving import ask_to_save
 from .scene import Scene
+from .sitting import Sitting
 from .sound import Sounds
-from .stage import Stage
-from .timeline import Timeline
 from .tuning import Tuning
 from .words import say
 
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
 
-class Play:
-    """A session on screen.
-
-    While `playback` is set, its shot is shown. `effects` is what the options allow to move for show; `warning`
-    stays until what it warns of is mended. `told` says what is told until the next; it is asked anew for every
-    picture, as the language may change.
-    """
+class Play(Sitting):
+    """A session and the hands that play it: what each event means to it."""
 
     def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
-        self.session = session
-        self.sounds = sounds or Sounds()
-        self.stage = Stage(session.table)
-        self.hands = Hands()
-        self.level = guide.GHOST
-        self.playback: Playback | None = None
-        self.timeline = Timeline()
-        self.in_hand = InHand()
-        self.referee = Referee()
+        super().__init__(session, sounds)
         self.editing = Editing(self)
-        self.tuning: Tuning | None = None
-        self.effects = Effects()
         self.geometry = False
         self.vectors = False
-        self.told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
-        self.warning = ""
-        # What opens where Esc finds nothing to put away, and once a shot has ended the frame.
+        # What opens where Esc finds nothing to put away.
         self.paused: Callable[[], Scene | None] = lambda: None
-        self.ended: Callable[[], Scene | None] = lambda: None
-        self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {
             **self.hands.keys,
             **self.stage.camera.keys,
@@ -83,35 +54,13 @@ class Play:
             "cancel": self._cancel,
         }
 
-    @property
-    def rollout(self) -> Rollout | None:
-        """The shot that is shown, if one is."""
-        return None if self.playback is None else self.playback.rollout
-
-    @property
-    def message(self) -> str:
-        """What is told at present; empty where nothing is."""
-        return self.told()
-
-    @property
-    def titles(self) -> tuple[str, str]:
-        """What the upper bar tells of practice, on its left and on its right."""
-        shot = say("play.shot", number=self.session.strokes + 1)
-        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=self.session.left)}"
-        return self.session.table.title, note
-
-    @property
-    def time(self) -> float:
-        """The moment of that shot, s; below 0 the cue is still on its way."""
-        return 0.0 if self.playback is None else self.playback.time
+    # Events.
 
     @property
     def still(self) -> bool:
         """Whether it would look the same at the next frame, unless an event comes."""
         shown = self.playback is None or self.playback.still
         return shown and self.stage.still and self.tuning is None
-
-    # Events.
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if self.tuning is not None and not self.hands.busy and self.tuning.handle(event):
@@ -167,14 +116,6 @@ class Play:
         scene, self._next = self._next or self, None
         return scene
 
-    def go_to(self, scene: Scene) -> None:
-        """Show another scene as soon as the event that is being taken is done with."""
-        self._next = scene
-
-    def tell(self, words: str) -> None:
-        """Tell this until something else is told."""
-        self.told = lambda: words
-
     def _move(self, pos: tuple[int, int]) -> None:
         if self.hands.move(pos, self.stage.screen):
             return
@@ -210,20 +151,6 @@ class Play:
         """Whether the player holds a ball."""
         return self.in_hand.held(self.session) is not None and self.playback is None
 
-    def aimed(self, shot: Shot) -> str:
-        """The ball that a shot would meet first; empty where it meets none."""
-        rollout = self.stage.foresee(self.level, self.session.layout, shot)
-        pairs = [pair for event in rollout.events for pair in event.pairs if shot.ball in pair] if rollout else []
-        return next((ball for ball in pairs[0] if ball != shot.ball), "") if pairs else ""
-
-    def begin(self, session: Session) -> None:
-        """Go over to another session, and leave the one that was played."""
-        self.drop()
-        self.tuning = None
-        self.session.leave()
-        self.session = session
-        self.told = lambda: self.referee.verdict(session)
-
     def _referred(self, event: pygame.event.Event) -> bool:
         """Hand an event to the referee; whether it was meant for it, and what came of it is told."""
         moment = self.session.match.now
@@ -241,10 +168,6 @@ class Play:
     def _next_guide(self) -> None:
         self.level = (self.level + 1) % len(GUIDES)
         self.told = lambda: say("play.guide", level=say(f"choice.{GUIDES[self.level]}"))
-
-    def _fast_forward(self, fast: bool) -> None:
-        if self.playback is not None:
-            self.playback.fast = fast
 
     def _put_down(self) -> None:
         if self.hands.pull is not None:
@@ -268,41 +191,26 @@ class Play:
         else:
             self._strike(self.hands.aim.speed)
 
-    def _strike(self, speed: float, drawn: bool = False) -> None:
-        """Play the shot that is aimed; `drawn` where a hand has drawn the cue back already."""
-        self.hands.put_down()
-        shot = self.hands.aim.shot(self.session.cue.id, speed)
-        try:
-            rollout = self.session.play(shot, self.referee.said(self.session, self.aimed(shot)))
-        except (InputError, BudgetError) as error:
-            self.tell(str(error))
-            return
-        self._show(Playback(rollout, shot, stroke.lead(drawn, self.effects)))
-        self.told = lambda: say("play.miscue") if telling.missed(rollout) else ""
+    def _show_geometry(self) -> None:
+        self.geometry = not self.geometry
 
-    def _replay(self) -> None:
-        last = self.session.rollout
-        if last is None:
-            self.told = lambda: say("play.no_shot")
-        elif self.playback is None:
-            self.hands.put_down()
-            self._show(Playback(last, self.session.shot, stroke.lead(False, self.effects), again=True))
-            self.timeline.begin(self.hands.pointer)
-            self.told = lambda: ""
+    def _show_vectors(self) -> None:
+        self.vectors = not self.vectors
 
-    def _pause(self) -> None:
-        """Hold the shot that runs, or the last one at its beginning."""
-        if self.playback is None:
-            self._replay()
-        if self.playback is not None:
-            self.timeline.begin(self.hands.pointer)
-            self.playback.pause()
+    def _place(self) -> None:
+        if not self.editing.place():
+            self.told = lambda: say("play.no_room")
 
-    def _show(self, playback: Playback) -> None:
-        """Run a shot from its beginning; without a stroke before it, the tip is heard at once."""
-        self.playback = playback
-        if playback.time == 0.0:
-            self.sounds.play_events(self.session.table, playback.rollout, -1.0, 0.0)
+    def update(self, dt: float) -> Scene | None:
+        self.pass_time(dt)
+        scene, self._next = self._next or self, None
+        return scene
+
+    def draw_marks(self, surface: pygame.Surface) -> None:
+        """Draw what is marked on the cloth, under the balls: nothing in practice."""
+
+    def draw(self, surface: pygame.Surface) -> None:
+        play_art.draw(surface, self)
 
     def _tune(self) -> None:
         if not self.session.free:
@@ -313,89 +221,18 @@ class Play:
         else:
             self.tuning = None
 
-    def open_table(self, name: str) -> None:
-        """Go over to another preset, with a new rack; raises InputError."""
-        self.take_table(load_table(name))
-        title = self.session.table.title
-        self.told = lambda: say("play.new_table", table=title)
-
-    def take_table(self, table: Table, layout: Layout | None = None) -> None:
-        """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""
-        session = practice(table, random.randrange(1 << 30))
-        if layout is not None:
-            session.arrange(layout)
-        self.begin(session)
-
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:
             self.told = lambda: say("play.saved", path=path)
 
         self._next = ask_to_save(self, self.session.table, saved)
 
-    def _show_geometry(self) -> None:
-        self.geometry = not self.geometry
-
-    def _show_vectors(self) -> None:
-        self.vectors = not self.vectors
-
-    def _undo(self) -> None:
-        self.drop()
-        undone = self.session.undo()
-        self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
-
-    def _redo(self) -> None:
-        self.drop()
-        redone = self.session.redo()
-        self.told = lambda: say("play.redone") if redone else say("play.nothing_to_redo")
-
-    def _rack(self) -> None:
-        if not self.session.free:
-            self.told = lambda: say("play.practice_only")
-            return
-        self.drop()
-        self.session.rack(random.randrange(1 << 30))
-        self.told = lambda: say("play.new_rack")
-
     def drop(self) -> None:
-        """Let go of whatever is under way."""
-        self.playback = None
-        self.hands.put_down()
+        super().drop()
         self.editing.let_go()
 
-    def _place(self) -> None:
-        if not self.editing.place():
-            self.told = lambda: say("play.no_room")
-
-    def change_table(self, table: Table) -> None:
-        """Play on with other parameters; raises InputError where the balls do not fit."""
-        self.session.change_table(table)
-        self.playback = None
-        if self.tuning is not None:
-            self.tuning.refresh()
-        self.told = lambda: say("play.file_changed")
-
-    # Time.
-
-    def update(self, dt: float) -> Scene | None:
-        self.referee.follow(self.session)
-        self.referee.form.update(dt)
-        if self.tuning is not None:
-            self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
-            self.tuning.update(dt)
-        self.stage.camera.update(dt, self.effects.eased)
-        if self.playback is not None:
-            before = self.playback.time
-            self.playback.update(dt)
-            self.sounds.play_events(self.session.table, self.playback.rollout, before, self.playback.time)
-            if self.playback.over:
-                self._come_to_rest(self.playback)
-        scene, self._next = self._next or self, None
-        return scene
-
     def _come_to_rest(self, shown: Playback) -> None:
-        self.playback = None
-        if telling.missed(shown.rollout) and not shown.again:
-            self.sounds.chalk()
+        super()._come_to_rest(shown)
         if shown.review:
             # The pointer has been elsewhere: the aim stays until it is moved again.
             self.hands.hold = self.hands.pointer
@@ -403,18 +240,3 @@ class Play:
             self.hands.hold = None
             if self.hands.pointer is not None:
                 self._move(self.hands.pointer)
-        if shown.again:
-            self.told = lambda: ""
-        elif not self.session.free:
-            self.told = lambda: self.referee.verdict(self.session)
-        elif self.session.in_hand or not telling.missed(shown.rollout):
-            cue = self.session.cue.id
-            self.told = lambda: telling.outcome(shown.rollout, cue)
-        if not shown.again:
-            self._next = self.ended()
-
-    def draw_marks(self, surface: pygame.Surface) -> None:
-        """Draw what is marked on the cloth, under the balls: nothing in practice."""
-
-    def draw(self, surface: pygame.Surface) -> None:
-        play_art.draw(surface, self)

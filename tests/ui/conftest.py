@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -74,6 +75,12 @@ class Hand:
         """Put these balls on the table instead of the rack; the cue ball is taken in hand where that is asked for."""
         cue = self.play.session.table.furniture.cue
         self.play.session.arrange(Layout(ball for ball in balls if not (in_hand and ball.id == cue)))
+
+
+@pytest.fixture(autouse=True)
+def data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every test begins without records, results and presets of its own."""
+    monkeypatch.setenv("POOL2D_DATA", str(tmp_path / "data"))
 
 
 @pytest.fixture

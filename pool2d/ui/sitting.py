@@ -1,0 +1,211 @@
+"""What is played on the screen, apart from the hands: the session, the shot that is shown, and what is told."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+
+from ..errors import BudgetError, InputError
+from ..game.session import Session, practice
+from ..physics.rollout import Rollout
+from ..physics.values import Layout, Shot
+from ..preset import load_table
+from ..table import Table
+from . import guide, stroke, telling
+from .effects import Effects
+from .hands import Hands
+from .in_hand import InHand
+from .keys import KEYS
+from .playback import Playback
+from .referee import Referee
+from .scene import Scene
+from .sound import Sounds
+from .stage import Stage
+from .timeline import Timeline
+from .tuning import Tuning
+from .words import say
+
+
+class Sitting:
+    """A session on screen.
+
+    While `playback` is set, its shot is shown. `effects` is what the options allow to move for show; `warning`
+    stays until what it warns of is mended. `told` says what is told until the next; it is asked anew for every
+    picture, as the language may change.
+    """
+
+    def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
+        self.session = session
+        self.sounds = sounds or Sounds()
+        self.stage = Stage(session.table)
+        self.hands = Hands()
+        self.level = guide.GHOST
+        self.playback: Playback | None = None
+        self.timeline = Timeline()
+        self.in_hand = InHand()
+        self.referee = Referee()
+        self.tuning: Tuning | None = None
+        self.effects = Effects()
+        self.told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
+        self.warning = ""
+        # What opens once a shot or a choice has ended the frame.
+        self.ended: Callable[[], Scene | None] = lambda: None
+        self._next: Scene | None = None
+
+    @property
+    def rollout(self) -> Rollout | None:
+        """The shot that is shown, if one is."""
+        return None if self.playback is None else self.playback.rollout
+
+    @property
+    def message(self) -> str:
+        """What is told at present; empty where nothing is."""
+        return self.told()
+
+    @property
+    def titles(self) -> tuple[str, str]:
+        """What the upper bar tells of practice, on its left and on its right."""
+        shot = say("play.shot", number=self.session.strokes + 1)
+        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=self.session.left)}"
+        return self.session.table.title, note
+
+    @property
+    def time(self) -> float:
+        """The moment of that shot, s; below 0 the cue is still on its way."""
+        return 0.0 if self.playback is None else self.playback.time
+
+    def go_to(self, scene: Scene) -> None:
+        """Show another scene as soon as the event that is being taken is done with."""
+        self._next = scene
+
+    def tell(self, words: str) -> None:
+        """Tell this until something else is told."""
+        self.told = lambda: words
+
+    def aimed(self, shot: Shot) -> str:
+        """The ball that a shot would meet first; empty where it meets none."""
+        rollout = self.stage.foresee(self.level, self.session.layout, shot)
+        pairs = [pair for event in rollout.events for pair in event.pairs if shot.ball in pair] if rollout else []
+        return next((ball for ball in pairs[0] if ball != shot.ball), "") if pairs else ""
+
+    def begin(self, session: Session) -> None:
+        """Go over to another session, and leave the one that was played."""
+        self.drop()
+        self.tuning = None
+        self.session.leave()
+        self.session = session
+        self.told = lambda: self.referee.verdict(session)
+
+    def _strike(self, speed: float, drawn: bool = False) -> None:
+        """Play the shot that is aimed; `drawn` where a hand has drawn the cue back already."""
+        self.hands.put_down()
+        shot = self.hands.aim.shot(self.session.cue.id, speed)
+        try:
+            rollout = self.session.play(shot, self.referee.said(self.session, self.aimed(shot)))
+        except (InputError, BudgetError) as error:
+            self.tell(str(error))
+            return
+        self._show(Playback(rollout, shot, stroke.lead(drawn, self.effects)))
+        self.told = lambda: say("play.miscue") if telling.missed(rollout) else ""
+
+    def _replay(self) -> None:
+        last = self.session.rollout
+        if last is None:
+            self.told = lambda: say("play.no_shot")
+        elif self.playback is None:
+            self.hands.put_down()
+            self._show(Playback(last, self.session.shot, stroke.lead(False, self.effects), again=True))
+            self.timeline.begin(self.hands.pointer)
+            self.told = lambda: ""
+
+    def _pause(self) -> None:
+        """Hold the shot that runs, or the last one at its beginning."""
+        if self.playback is None:
+            self._replay()
+        if self.playback is not None:
+            self.timeline.begin(self.hands.pointer)
+            self.playback.pause()
+
+    def _show(self, playback: Playback) -> None:
+        """Run a shot from its beginning; without a stroke before it, the tip is heard at once."""
+        self.playback = playback
+        if playback.time == 0.0:
+            self.sounds.play_events(self.session.table, playback.rollout, -1.0, 0.0)
+
+    def _fast_forward(self, fast: bool) -> None:
+        if self.playback is not None:
+            self.playback.fast = fast
+
+    def _undo(self) -> None:
+        self.drop()
+        undone = self.session.undo()
+        self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
+
+    def _redo(self) -> None:
+        self.drop()
+        redone = self.session.redo()
+        self.told = lambda: say("play.redone") if redone else say("play.nothing_to_redo")
+
+    def _rack(self) -> None:
+        if not self.session.free:
+            self.told = lambda: say("play.practice_only")
+            return
+        self.drop()
+        self.session.rack(random.randrange(1 << 30))
+        self.told = lambda: say("play.new_rack")
+
+    def open_table(self, name: str) -> None:
+        """Go over to another preset, with a new rack; raises InputError."""
+        self.take_table(load_table(name))
+        title = self.session.table.title
+        self.told = lambda: say("play.new_table", table=title)
+
+    def take_table(self, table: Table, layout: Layout | None = None) -> None:
+        """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""
+        session = practice(table, random.randrange(1 << 30))
+        if layout is not None:
+            session.arrange(layout)
+        self.begin(session)
+
+    def change_table(self, table: Table) -> None:
+        """Play on with other parameters; raises InputError where the balls do not fit."""
+        self.session.change_table(table)
+        self.playback = None
+        if self.tuning is not None:
+            self.tuning.refresh()
+        self.told = lambda: say("play.file_changed")
+
+    def drop(self) -> None:
+        """Let go of whatever is under way."""
+        self.playback = None
+        self.hands.put_down()
+
+    def pass_time(self, dt: float) -> None:
+        """Let the shot that is shown, the camera and the panels go on by `dt` seconds."""
+        self.referee.follow(self.session)
+        self.referee.form.update(dt)
+        if self.tuning is not None:
+            self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
+            self.tuning.update(dt)
+        self.stage.camera.update(dt, self.effects.eased)
+        if self.playback is not None:
+            before = self.playback.time
+            self.playback.update(dt)
+            self.sounds.play_events(self.session.table, self.playback.rollout, before, self.playback.time)
+            if self.playback.over:
+                self._come_to_rest(self.playback)
+
+    def _come_to_rest(self, shown: Playback) -> None:
+        """Show no shot any more, and tell what came of it."""
+        self.playback = None
+        if telling.missed(shown.rollout) and not shown.again:
+            self.sounds.chalk()
+        if shown.again:
+            self.told = lambda: ""
+        elif not self.session.free:
+            self.told = lambda: self.referee.verdict(self.session)
+        elif self.session.in_hand or not telling.missed(shown.rollout):
+            cue = self.session.cue.id
+            self.told = lambda: telling.outcome(shown.rollout, cue)
+        if not shown.again:
+            self._next = self.ended()
