@@ -108,13 +108,17 @@ def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: floa
     radius = bar.height // 2
     y = screen.bottom.top + screen.unit * 2
     text.draw(surface, words.speed(speed), screen.large, theme.TEXT, (bar.left, y))
-    angle = words.number(aim.angle, ".2f") + "\N{DEGREE SIGN}"
-    text.draw(surface, angle, screen.small, theme.QUIET, (bar.right, y + screen.large // 3), (1.0, 0.0))
+    text.draw(surface, bearing(aim.angle), screen.small, theme.QUIET, (bar.right, y + screen.large // 3), (1.0, 0.0))
     pygame.draw.rect(surface, theme.EDGE, bar, border_radius=radius)
     filled = bar.copy()
     filled.width = round(bar.width * min(1.0, speed / MAX_SPEED))
     if filled.width > 0:
         pygame.draw.rect(surface, theme.ACCENT, filled, border_radius=radius)
+
+
+def bearing(angle: float) -> str:
+    """A direction in degrees; what would be rounded to a full turn is none."""
+    return words.number(round(angle, 2) % 360.0, ".2f") + "\N{DEGREE SIGN}"
 
 
 def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color, taken: int = 0) -> None:

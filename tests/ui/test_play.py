@@ -9,6 +9,7 @@ import pytest
 
 from pool2d import Ball
 from pool2d.physics.values import POCKETED
+from pool2d.ui import hud
 from pool2d.ui.play_art import hop_note
 
 from .conftest import Hand
@@ -267,3 +268,7 @@ def test_losing_the_window_puts_the_cue_down(hand: Hand) -> None:
     hand.post(pygame.WINDOWFOCUSLOST)
     hand.release()
     assert hand.play.session.strokes == 0
+
+
+def test_a_direction_just_below_a_full_turn_is_told_as_none() -> None:
+    assert [hud.bearing(angle) for angle in (0.0, 359.994, 359.996)] == ["0.00°", "359.99°", "0.00°"]
