@@ -89,14 +89,19 @@ class Contacts:
         """What the first balls touch, or reach while the impact lasts: `room` away, or a cushion `yielding` away."""
         pairs = linked(first, present, room)
         balls = sorted({ball.index: ball for ball in (*first, *(ball for pair in pairs for ball in pair[:2]))}.items())
-        noses = []
-        for index, ball in balls:
-            reach = self.reach[index]
-            far = yielding if ball in first else room
-            span = reach + far
-            near = self.table.near(ball.x - span, ball.y - span, ball.x + span, ball.y + span)
-            cushions = [self.table.elements[i] for i in near if self.table.elements[i].kind == "ball_cushion"]
-            noses += [(ball, element, gap) for element, gap in facing(ball, cushions, reach, far)]
+        spans = [(ball, self.reach[index], yielding if ball in first else room) for index, ball in balls]
+        near = self.table.near(
+            min(ball.x - reach - far for ball, reach, far in spans),
+            min(ball.y - reach - far for ball, reach, far in spans),
+            max(ball.x + reach + far for ball, reach, far in spans),
+            max(ball.y + reach + far for ball, reach, far in spans),
+        )
+        cushions = [self.table.elements[i] for i in near if self.table.elements[i].kind == "ball_cushion"]
+        if not cushions:
+            return Group(pairs, [])
+        noses = [
+            (ball, element, gap) for ball, reach, far in spans for element, gap in facing(ball, cushions, reach, far)
+        ]
         return Group(pairs, noses)
 
     def _together(self, group: Group, speed: float, present: list[Body]) -> Met | None:
