@@ -17,7 +17,7 @@ from .dialog import Confirm
 from .drill_scene import open_drills
 from .ended import FrameOver, MatchOver
 from .help import Help
-from .menu import Banner, Entry, Menu, pause_menu
+from .menu import Banner, Menu, Way, pause_menu
 from .new_match import NewMatch
 from .options import Options
 from .play import Play
@@ -47,10 +47,10 @@ class Lobby:
         """What the game can be asked for."""
         entries = [
             *self._going_on(),
-            Entry(lambda: say("menu.new"), lambda: self._new_match(menu)),
-            Entry(lambda: title(PRACTICE), lambda: self.play),
-            Entry(lambda: say("drill.title"), lambda: open_drills(menu, self.play)),
-            Entry(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds)),
+            Way(lambda: say("menu.new"), lambda: self._new_match(menu)),
+            Way(lambda: title(PRACTICE), lambda: self.play),
+            Way(lambda: say("drill.title"), lambda: open_drills(menu, self.play)),
+            Way(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds)),
             *self._always(lambda: menu),
         ]
         menu = Menu(self.play, Banner(), entries)
@@ -60,11 +60,11 @@ class Lobby:
         """What can be done in the middle of a game; where its frame is over, how it ended."""
         if (end := self.ended()) is not None:
             return end
-        entries = [Entry(lambda: say("pause.resume"), lambda: self.play)]
+        entries = [Way(lambda: say("pause.resume"), lambda: self.play)]
         if not self.play.session.free:
-            entries.append(Entry(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
+            entries.append(Way(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
         entries += self._always(lambda: menu)
-        entries.insert(-1, Entry(lambda: say("pause.leave"), self.leave))
+        entries.insert(-1, Way(lambda: say("pause.leave"), self.leave))
         menu = pause_menu(self.play, entries)
         return menu
 
@@ -98,15 +98,15 @@ class Lobby:
 
     # What entries lead to.
 
-    def _always(self, here: Callable[[], Scene]) -> list[Entry]:
+    def _always(self, here: Callable[[], Scene]) -> list[Way]:
         """The entries that every menu has."""
         return [
-            Entry(lambda: say("options.title"), lambda: Options(here(), self.store)),
-            Entry(lambda: say("menu.help"), lambda: Help(here())),
-            Entry(lambda: say("menu.quit"), lambda: None),
+            Way(lambda: say("options.title"), lambda: Options(here(), self.store)),
+            Way(lambda: say("menu.help"), lambda: Help(here())),
+            Way(lambda: say("menu.quit"), lambda: None),
         ]
 
-    def _going_on(self) -> list[Entry]:
+    def _going_on(self) -> list[Way]:
         """The entry for the latest match that is not finished, if there is one."""
         path = next(iter(unfinished()), None)
         if path is None:
@@ -115,7 +115,7 @@ class Lobby:
             told = _told(path)
         except (InputError, OSError):
             return []
-        return [Entry(lambda: say("menu.continue"), lambda: self._resume(path), told)]
+        return [Way(lambda: say("menu.continue"), lambda: self._resume(path), told)]
 
     def _resume(self, path: Path) -> Scene | None:
         try:
