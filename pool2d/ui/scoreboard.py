@@ -7,6 +7,7 @@ import pygame
 from ..game.match import Match, Moment
 from . import text, theme
 from .hud import Screen
+from .telling import place_name
 from .words import say, say_or
 
 
@@ -34,15 +35,26 @@ def _parts(match: Match, moment: Moment, player: int, turn: bool, screen: Screen
     if match.rules.scored:
         parts.append((str(state.scores[player]), screen.large, theme.TEXT))
     parts.append((match.names[player], screen.small, theme.ACCENT if turn else theme.TEXT))
-    rest = []
-    groups = getattr(state, "groups", ())
-    if groups and groups[player]:
-        rest.append(say_or(f"group.{groups[player]}", groups[player]))
-    if match.setup.race > 1:
-        rest.append(say("scoreboard.frames", won=moment.tallies[player].frames, race=match.setup.race))
-    if moment.tallies[player].run > 1 and match.rules.scored:
-        rest.append(say("scoreboard.run", run=moment.tallies[player].run))
-    if state.fouls[player] > 1:
-        rest.append(say("scoreboard.fouls", count=state.fouls[player]))
-    parts.append(("   ".join(rest), screen.small, theme.QUIET))
+    parts.append(("   ".join(_details(match, moment, player, turn)), screen.small, theme.QUIET))
     return parts
+
+
+def _details(match: Match, moment: Moment, player: int, turn: bool) -> list[str]:
+    """What else stands for a player: of the fields that games add to their states those that are there."""
+    state, tally = moment.state, moment.tallies[player]
+    told = []
+    if group := getattr(state, "groups", ("", ""))[player]:
+        told.append(say_or(f"group.{group}", group))
+    if pocket := getattr(state, "pockets", ("", ""))[player]:
+        told.append(place_name(pocket))
+    if match.setup.race > 1:
+        told.append(say("scoreboard.frames", won=tally.frames, race=match.setup.race))
+    if innings := getattr(state, "innings", (0, 0))[player]:
+        told.append(say("scoreboard.innings", count=innings))
+    if match.rules.scored and tally.run > 1:
+        told.append(say("scoreboard.run", run=tally.run))
+    if turn and (left := getattr(state, "left", 0)):
+        told.append(say("scoreboard.left", points=left))
+    if state.fouls[player] > 1:
+        told.append(say("scoreboard.fouls", count=state.fouls[player]))
+    return told

@@ -9,7 +9,7 @@ from pool2d import Layout, load_table
 from pool2d.game.match import Setup
 from pool2d.game.rules import AIM, CHOOSE, PLACE
 from pool2d.game.session import Session, recorded
-from pool2d.ui import words
+from pool2d.ui import scoreboard, words
 
 from .conftest import Hand
 
@@ -158,6 +158,22 @@ def test_names_and_scores_stay_beside_the_tray(hand: Hand, size: tuple[int, int]
         assert (left > 150).any()
     finally:
         words.speak("en")
+
+
+def details(session: Session, player: int) -> list[str]:
+    now = session.match.now
+    return scoreboard._details(session.match, now, player, now.ruling.ask.who == player)
+
+
+def test_what_a_game_adds_is_told_of_each_player(hand: Hand) -> None:
+    session = begin(hand, "snooker", "snooker-12ft", race=3)
+    assert details(session, 0) == ["0 of 3 frames", "147 points left"]
+    assert details(session, 1) == ["0 of 3 frames"]
+    session = begin(hand, "one-pocket")
+    key = session.ask.options[0]
+    session.choose(key)
+    own = [details(session, player)[0] for player in (0, 1)]
+    assert sorted(own) == ["bottom right", "top right"]
 
 
 def test_the_layout_of_a_match_is_not_arranged(hand: Hand) -> None:
