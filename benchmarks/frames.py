@@ -3,7 +3,9 @@
 Prints the time from starting Python to the splash and to the end of the first frame, without a kept picture of the
 table and with one; then frames at rest, while aiming (the guide is simulated anew each frame), of a break with all
 that can be shown, and while the camera comes nearer for the first time. Beside the clock's time stands the
-processor's, of all threads together, which tells the truth on a machine that has other things to do.
+processor's, of all threads together, which tells the truth on a machine that has other things to do. As machines,
+and one machine from minute to minute, differ in speed, each line ends with the median over the time that a loop of
+100,000 additions took just then.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import timeit
 from collections.abc import Callable, Sequence
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -24,7 +27,7 @@ _FRAME = 1.0 / 60.0
 
 
 def main(size: tuple[int, int]) -> None:
-    print(f"{size[0]}x{size[1]}, in ms   by the clock: median, shortest, longest; of the processor: the same")
+    print(f"{size[0]}x{size[1]}, in ms   by the clock: median, shortest, longest; of the processor: the same; in loops")
     with tempfile.TemporaryDirectory() as folder:
         os.environ["POOL2D_CACHE"] = os.environ["POOL2D_CONFIG"] = folder
         # Compiled code is kept, as it is for a player; only the first start is without.
@@ -74,7 +77,12 @@ def _frames(size: tuple[int, int]) -> None:
 def _tell(name: str, times: Sequence[tuple[float, ...]]) -> None:
     """Print seconds by the clock and of the processor."""
     columns = (f"{1e3 * pick(column):8.2f}" for column in zip(*times, strict=True) for pick in _PICKS)
-    print(f"{name:<32}", *columns)
+    print(f"{name:<32}", *columns, f"{statistics.median(row[0] for row in times) / _loop():8.2f}")
+
+
+def _loop() -> float:
+    """How fast the machine is at this moment: the least time of a few loops, s."""
+    return min(timeit.repeat("for i in range(100_000): total += i", "total = 0", number=1, repeat=5))
 
 
 _PICKS: tuple[Callable[[tuple[float, ...]], float], ...] = (statistics.median, min, max)

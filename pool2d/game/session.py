@@ -92,7 +92,8 @@ class Session:
     @property
     def left(self) -> int:
         """How many balls besides the cue ball are still on the table."""
-        return sum(ball.id != self.cue.id for ball in self.layout.on_table())
+        cue = self.cue.id
+        return sum(ball.id != cue for ball in self.layout.on_table())
 
     def play(self, shot: Shot, call: Call | None = None) -> Rollout:
         """Play a shot to its end, and have it judged.

@@ -92,7 +92,10 @@ class Rollout:
         if ball_id not in self.tracks:
             return given
         motion = self.tracks[ball_id][bisect_right(self._times[ball_id], t) - 1]
-        return motion.at(t)._replace(radius=given.radius, mass=given.mass)
+        ball = motion.at(t)
+        if given.radius is None and given.mass is None:
+            return ball
+        return ball._replace(radius=given.radius, mass=given.mass)
 
     def layout(self) -> Layout:
         """The layout when the shot is over."""

@@ -11,9 +11,10 @@ import pygame
 
 from ..physics.turning import FACING, Quaternion
 from ..racks import Look
-from . import theme
+from . import ball_skin, theme
 from .ball_light import STEPS, light, place, shadow
-from .ball_paint import LEVELS, Sprite, render
+from .ball_paint import Coat
+from .ball_sprite import LEVELS, Sprite, render
 from .theme import BALLS, IVORY, Style
 
 # What a faint ball takes away of what is behind it, of 255.
@@ -23,7 +24,7 @@ _FAINT = 110
 class Placed(NamedTuple):
     """A ball to be drawn: how it looks and lies, where in pixels; `alpha` below 255 lets the table through.
 
-    A ball with a `shadow` stands on the cloth.
+    A ball with a `shadow` stands on the cloth. One that is seen for a moment only need not be `fine`.
     """
 
     look: Look
@@ -32,13 +33,15 @@ class Placed(NamedTuple):
     lie: Quaternion = FACING
     alpha: int = 255
     shadow: bool = True
+    fine: bool = True
 
 
 # Pictures drawn before, the latest last. Like a function's cache, it changes no picture.
 _drawn: dict[Sprite, pygame.Surface] = {}
 _KEPT = 512
-# Balls drawn together: more need memory that has to be fetched anew each time, fewer cost more calls.
-_BATCH = 8
+# Balls painted together: more need memory that has to be fetched anew each time, fewer cost more calls. What is
+# only looked up needs little.
+_BATCH = {True: 8, False: 32}
 
 
 def draw(
@@ -70,7 +73,7 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
             half = shade.get_width() // 2
             shadows.append((shade, (x - half, y - half)))
         level = round(ball.alpha * LEVELS / 255.0)
-        sprites.append(Sprite(ball.look, style, radius, step, _rounded(ball.lie, radius), level))
+        sprites.append(Sprite(Coat(ball.look, style), radius, step, _rounded(ball.lie, radius), level, ball.fine))
         half = light(radius).half
         corners.append((x - half, y - half))
     surface.blits(shadows, False)
@@ -99,16 +102,22 @@ def _rounded(lie: Quaternion, radius: float) -> Quaternion:
 
 
 def _images(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
-    """The pictures of balls, those not at hand drawn together by size."""
+    """The pictures of balls, those not at hand drawn together by size and fineness."""
     images = [_drawn.get(sprite) for sprite in sprites]
-    missing: dict[float, list[int]] = {}
-    for i, image in enumerate(images):
+    missing: dict[tuple[float, bool], list[int]] = {}
+    made = 0
+    for i, (sprite, image) in enumerate(zip(sprites, images, strict=True)):
         if image is None:
-            missing.setdefault(sprites[i].radius, []).append(i)
-    for group in missing.values():
-        for start in range(0, len(group), _BATCH):
-            batch = group[start : start + _BATCH]
-            for i, image in zip(batch, render([sprites[i] for i in batch]), strict=True):
+            fine = sprite.fine
+            if not fine and not ball_skin.known(sprite.coat, sprite.radius):
+                # One new skin at a time holds nothing up; until it has one, a ball is painted.
+                made += 1
+                fine = made > 1
+            missing.setdefault((sprite.radius, fine), []).append(i)
+    for (_, fine), group in missing.items():
+        for start in range(0, len(group), _BATCH[fine]):
+            batch = group[start : start + _BATCH[fine]]
+            for i, image in zip(batch, render([sprites[i] for i in batch], fine), strict=True):
                 images[i] = _drawn[sprites[i]] = image
     while len(_drawn) > _KEPT:
         del _drawn[next(iter(_drawn))]

@@ -45,15 +45,33 @@ class Light:
         self.half = math.ceil(radius + 0.5)
         self._known = np.zeros(STEPS * STEPS, dtype=bool)
         self._table = np.empty((STEPS * STEPS, 11, (2 * self.half + 1) ** 2), dtype=np.float32)
+        self._layers: dict[int, tuple[pygame.Surface, pygame.Surface]] = {}
 
     def at(self, steps: Sequence[int]) -> Floats:
         """The light (balls, 11, pixels) on balls at these steps."""
+        self._know(steps)
+        lit: Floats = self._table[list(steps)]
+        return lit
+
+    def normals(self, steps: Sequence[int]) -> Floats:
+        """Only the normals (balls, 3, pixels)."""
+        self._know(steps)
+        normals: Floats = self._table[list(steps), self.NORMAL]
+        return normals
+
+    def layers(self, step: int) -> tuple[pygame.Surface, pygame.Surface]:
+        """The light as pictures: one to multiply a ball's paint with, which also cuts it out, and one to add."""
+        if step not in self._layers:
+            lit = self.at([step])[0]
+            shade, gloss = np.clip(255.0 * lit[self.SHADE], 0.0, 255.0), np.clip(lit[self.GLOSS], 0.0, 255.0)
+            self._layers[step] = _picture(shade, 255.0 * lit[self.COVER]), _picture(gloss, np.zeros_like(gloss[0]))
+        return self._layers[step]
+
+    def _know(self, steps: Sequence[int]) -> None:
         for step in set(steps):
             if not self._known[step]:
                 self._known[step] = True
                 self._fill(self._table[step], *offset(step))
-        lit: Floats = self._table[list(steps)]
-        return lit
 
     def _fill(self, row: Floats, right: float, down: float) -> None:
         across = np.arange(-self.half, self.half + 1, dtype=np.float64)
@@ -77,6 +95,13 @@ class Light:
         row[self.GLOSS] = _mirrored(x, y, z, max(_EDGE, _BLUR / self.radius)) + rim + _noise(len(x))
         row[self.COVER] = np.clip((1.0 - far) * self.radius + 0.5, 0.0, 1.0)
         row[self.SOFT] = self.radius * np.clip(z, 0.35, 1.0)
+
+
+def _picture(rgb: Floats, alpha: Floats) -> pygame.Surface:
+    """A square picture of planes row by row."""
+    pixels = np.stack([rgb[2], rgb[1], rgb[0], alpha], axis=1).astype(np.uint8)
+    side = round(len(pixels) ** 0.5)
+    return pygame.image.frombuffer(pixels.tobytes(), (side, side), "BGRA")
 
 
 @lru_cache(maxsize=24)

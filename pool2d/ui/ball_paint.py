@@ -1,6 +1,6 @@
-"""The picture of a ball: each pixel is a point of the sphere, which turned back as the ball has turned tells its paint.
+"""What is painted on a ball: its colour, stripe, spots, dots, number and shape, at any points of the sphere.
 
-All balls of one size are worked out together, which costs little more than one alone.
+Points of several balls are worked out together, which costs little more than those of one.
 """
 
 from __future__ import annotations
@@ -11,16 +11,12 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-import pygame
 
-from ..physics.turning import Quaternion, matrix, unit
 from ..racks import Look
 from . import ball_marks, theme
-from .ball_light import Floats, Light, light
+from .ball_light import Floats
 from .theme import Style
 
-# Levels of a ball's own transparency.
-LEVELS = 15
 # How wide a stripe, a spot, a dot are: half of it as seen from straight above, in radii.
 _STRIPE, _SPOT, _DOT = 0.56, 0.52, 0.17
 # Widths at which a stripe covers the whole ball, and a spot nothing.
@@ -30,42 +26,67 @@ _INK = (20, 20, 22)
 _MATT = 0.85
 
 
-class Sprite(NamedTuple):
-    """What a picture depends on: the radius in pixels, the step of `ball_light`, the orientation in any unit."""
+class Coat(NamedTuple):
+    """What a ball looks like before it is turned and lit."""
 
     look: Look
     style: Style
-    radius: float
-    step: int
-    lie: Quaternion
-    level: int = LEVELS
 
 
-def render(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
-    """The pictures of balls of one radius."""
-    lamp = light(sprites[0].radius)
-    side = 2 * lamp.half + 1
-    lit = lamp.at([sprite.step for sprite in sprites])
-    turns = np.array([matrix(unit(sprite.lie)) for sprite in sprites], dtype=np.float32)
-    # Turned back: the transposed matrix.
-    places = np.matmul(turns.transpose(0, 2, 1), lit[:, Light.NORMAL])
-    paints = [paint_of(sprite.look, sprite.style) for sprite in sprites]
-    color, gloss = _colors(paints, places, lit[:, Light.SOFT]), lit[:, Light.GLOSS]
-    _print_all(sprites, paints, places, lit[:, Light.SOFT], color, gloss)
-    color *= lit[:, Light.SHADE]
-    color += gloss
-    np.clip(color, 0.0, 255.0, out=color)
-    alpha = np.array([[255.0 * sprite.level / LEVELS] for sprite in sprites], dtype=np.float32)
-    pixels = np.empty((len(sprites), side * side, 4), dtype=np.uint8)
-    levels = color.astype(np.uint8)
-    for channel in range(3):
-        pixels[:, :, 2 - channel] = levels[:, channel]
-    pixels[:, :, 3] = lit[:, Light.COVER] * alpha
-    return [pygame.image.frombuffer(picture.data, (side, side), "BGRA") for picture in pixels]
+class Painted(NamedTuple):
+    """The colour (balls, 3, points) from 0 to 255, and the part (balls, points) of the gloss that the paint has."""
+
+    color: Floats
+    glossy: Floats
 
 
-def _colors(paints: Sequence[Paint], places: Floats, soft: Floats) -> Floats:
-    """The paint (balls, 3, points): the ball's own colour, and the second beyond the stripe and on the spots."""
+def paint(coats: Sequence[Coat], places: Floats, soft: Floats, radius: float) -> Painted:
+    """The paint of balls of `radius` pixels at places (balls, 3, points) on them.
+
+    An edge fades over one part in `soft` (balls, points) of the radius.
+    """
+    paints = [_paint_of(*coat) for coat in coats]
+    painted = Painted(_colors(paints, places, soft), np.ones_like(soft))
+    printed = np.zeros_like(soft)
+    dotted = [i for i, coat in enumerate(coats) if coat.look.dots]
+    if dotted:
+        # Six dots, where the axes come out of the ball.
+        printed[dotted] = _cover(_DOT - _off(np.abs(places[dotted]).max(axis=1)), soft[dotted])
+    numbers = {i: coat.look.number for i, coat in enumerate(coats) if coat.look.number}
+    _print(printed, places, numbers, 2, radius)
+    _ink(painted, printed, [part.ink for part in paints])
+    shapes = {i: shape for i, coat in enumerate(coats) if coat.style.patterned and (shape := _shape(coat.look))}
+    if shapes:
+        shaped = np.zeros_like(soft)
+        for axis in range(3):
+            here = {i: shape for i, shape in shapes.items() if axis < 2 or i not in numbers}
+            _print(shaped, places, here, axis, radius)
+        _ink(painted, shaped, [part.sign for part in paints])
+    return painted
+
+
+class _Paint(NamedTuple):
+    """A ball's colour, that of its spots and caps, its ink, that of a shape; half widths of stripe and spot."""
+
+    base: tuple[int, ...]
+    second: tuple[int, ...]
+    ink: tuple[int, ...]
+    sign: tuple[int, ...]
+    stripe: float
+    spot: float
+
+
+@lru_cache(maxsize=512)
+def _paint_of(look: Look, style: Style) -> _Paint:
+    base, white = style.palette.color(look.color)[:3], style.palette.white[:3]
+    sign = white if 0.3 * base[0] + 0.59 * base[1] + 0.11 * base[2] < 120.0 else _INK
+    # A number is dark on its white spot, whatever the ball; dots are red on a light ball.
+    ink = _INK if look.number else white if sign == white else theme.DOT
+    return _Paint(base, white, ink, sign, _STRIPE if look.stripe else _ALL, _SPOT if look.number else _NONE)
+
+
+def _colors(paints: Sequence[_Paint], places: Floats, soft: Floats) -> Floats:
+    """The ball's own colour, and the second beyond the stripe and on the spots."""
     base = np.array([paint.base for paint in paints], dtype=np.float32)[:, :, None]
     other = np.array([paint.second for paint in paints], dtype=np.float32)[:, :, None] - base
     stripe = np.array([[paint.stripe] for paint in paints], dtype=np.float32)
@@ -75,35 +96,12 @@ def _colors(paints: Sequence[Paint], places: Floats, soft: Floats) -> Floats:
     return painted
 
 
-def _print_all(
-    sprites: Sequence[Sprite], paints: Sequence[Paint], places: Floats, soft: Floats, color: Floats, gloss: Floats
-) -> None:
-    """Print dots, numbers and shapes onto the balls' colours."""
-    printed = np.zeros_like(soft)
-    dotted = [i for i, sprite in enumerate(sprites) if sprite.look.dots]
-    if dotted:
-        # Six dots, where the axes come out of the ball.
-        printed[dotted] = _cover(_DOT - _off(np.abs(places[dotted]).max(axis=1)), soft[dotted])
-    radius = sprites[0].radius
-    numbers = {i: sprite.look.number for i, sprite in enumerate(sprites) if sprite.look.number}
-    _print(printed, places, numbers, 2, radius)
-    _ink(color, gloss, printed, [paint.ink for paint in paints])
-    shapes = {i: shape for i, sprite in enumerate(sprites) if sprite.style.patterned and (shape := _shape(sprite.look))}
-    if shapes:
-        shaped = np.zeros_like(soft)
-        for axis in range(3):
-            here = {i: shape for i, shape in shapes.items() if axis < 2 or i not in numbers}
-            _print(shaped, places, here, axis, radius)
-        _ink(color, gloss, shaped, [paint.sign for paint in paints])
-
-
-def _ink(color: Floats, gloss: Floats, printed: Floats, inks: Sequence[tuple[int, ...]]) -> None:
+def _ink(painted: Painted, printed: Floats, inks: Sequence[tuple[int, ...]]) -> None:
     """Lay the balls' inks on their colours as far as they are printed; print is matt."""
-    part = printed[:, None]
-    over = np.array(inks, dtype=np.float32)[:, :, None] - color
-    over *= part
-    color += over
-    gloss *= 1.0 - _MATT * part
+    over = np.array(inks, dtype=np.float32)[:, :, None] - painted.color
+    over *= printed[:, None]
+    painted.color[...] += over
+    painted.glossy[...] *= 1.0 - _MATT * printed
 
 
 def _cover(inside: Floats, soft: Floats) -> Floats:
@@ -117,30 +115,6 @@ def _off(along: Floats) -> Floats:
     """How far from an axis a point is that lies `along` it."""
     off: Floats = np.sqrt(np.maximum(1.0 - along * along, 0.0))
     return off
-
-
-class Paint(NamedTuple):
-    """A ball's colour, that of its spots and caps, its ink, that of a shape; half widths of stripe, spot and dots."""
-
-    base: tuple[int, ...]
-    second: tuple[int, ...]
-    ink: tuple[int, ...]
-    sign: tuple[int, ...]
-    stripe: float
-    spot: float
-    dot: float
-
-
-@lru_cache(maxsize=512)
-def paint_of(look: Look, style: Style) -> Paint:
-    base, white = style.palette.color(look.color)[:3], style.palette.white[:3]
-    sign = white if 0.3 * base[0] + 0.59 * base[1] + 0.11 * base[2] < 120.0 else _INK
-    # A number is dark on its white spot, whatever the ball; dots are red on a light ball.
-    ink = _INK if look.number else white if sign == white else theme.DOT
-    return Paint(
-        base, white, ink, sign,
-        _STRIPE if look.stripe else _ALL, _SPOT if look.number else _NONE, _DOT if look.dots else _NONE,
-    )  # fmt: skip
 
 
 def _shape(look: Look) -> str:

@@ -108,7 +108,7 @@ def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: E
     """The balls of a shot at its moment, their trails, and the cue that struck."""
     if effects.trail:
         trail.draw(surface, shown.rollout, shown.time, stage.table, stage.view)
-    stage.balls(surface, shown.rollout.at(shown.time), shown.rollout, shown.time)
+    stage.balls(surface, shown.rollout.at(shown.time), shown.rollout, shown.time, running=shown.running)
     if effects.stroke and shown.shot is not None:
         stroke.draw(surface, stage.table, shown.rollout.start[shown.shot.ball], shown.shot, shown.time, stage.view)
 

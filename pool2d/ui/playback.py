@@ -41,9 +41,14 @@ class Playback:
         return self.ended and not self.kept
 
     @property
+    def running(self) -> bool:
+        """Whether the next frame shows a later moment."""
+        return not (self.paused or self.ended)
+
+    @property
     def still(self) -> bool:
         """Whether it shows the same moment until a hand does something."""
-        return self.kept and (self.paused or self.ended)
+        return self.kept and not self.running
 
     @property
     def event(self) -> Event | None:
@@ -52,7 +57,7 @@ class Playback:
 
     def update(self, dt: float) -> None:
         """Let `dt` seconds pass."""
-        if not (self.paused or self.ended):
+        if self.running:
             self._at = None
             self.time = min(self.time + dt * self.rate * (_FAST if self.fast else 1.0), self.end)
 

@@ -13,7 +13,7 @@ from ..game.lying import Keeper
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.turning import FACING, Quaternion
-from ..physics.values import Ball, Layout, Shot
+from ..physics.values import RESTING, Ball, Layout, Shot
 from ..racks import Look
 from ..table import Table
 from . import ball_art, guide, hud, pen, theme, tray
@@ -43,7 +43,10 @@ class Stage:
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
         self._fit(panel)
+        # The bars are drawn over the rest.
+        surface.set_clip(self.screen.table)
         self._background.show(surface, table, self.camera.home, self.view)
+        surface.set_clip(None)
 
     @property
     def view(self) -> View:
@@ -57,13 +60,15 @@ class Stage:
 
     def balls(
         self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf,
-        but: str = "",
+        but: str = "", running: bool = False,
     ) -> None:  # fmt: skip
         """Draw every ball on the table as it lies, `but` one, and those on their way into a pocket.
 
         `rollout` is the shot that has led to the layout, if one has, `t` seconds after its start; without
-        a time it is over.
+        a time it is over. While it is `running`, balls that move are drawn for one frame only, and roughly.
         """
+        # On its way the camera shows each frame another size of ball, for which no skin is worth making.
+        rough = running and self.camera.settled
         lies, down = self.keeper.lying(layout, rollout, t)
         balls = []
         if rollout is not None:
@@ -71,7 +76,11 @@ class Stage:
             for fall in falls:
                 ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
                 balls.append(tray.sinking(fall, self._placed(ball, fall.lie)))
-        balls += [self._placed(ball, lies.get(ball.id, FACING)) for ball in layout.on_table() if ball.id != but]
+        balls += [
+            self._placed(ball, lies.get(ball.id, FACING), not rough or ball.phase == RESTING)
+            for ball in layout.on_table()
+            if ball.id != but
+        ]
         ball_art.draw_all(surface, balls, self.style)
         self._down = [ball for ball in down if ball != self.table.furniture.cue]
 
@@ -129,12 +138,12 @@ class Stage:
     def _look(self, ball: str) -> Look:
         return self.table.furniture.looks.get(ball) or ball_art.usual(ball)
 
-    def _placed(self, ball: Ball, lie: Quaternion) -> ball_art.Placed:
+    def _placed(self, ball: Ball, lie: Quaternion, fine: bool = True) -> ball_art.Placed:
         x, y = self.view.to_screen(ball.x, ball.y)
         if not self.camera.settled:
             # On its way each frame has balls of another size, whose light is worked out for each part of a pixel.
             x, y = round(x), round(y)
-        return ball_art.Placed(self._look(ball.id), (x, y), self._radius(ball), lie)
+        return ball_art.Placed(self._look(ball.id), (x, y), self._radius(ball), lie, fine=fine)
 
     def _radius(self, ball: Ball) -> float:
         return self.table.body_of(ball)[0] * self.view.scale

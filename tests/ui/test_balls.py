@@ -17,7 +17,7 @@ from pool2d.ui import ball_art, ball_marks, theme
 from pool2d.ui.playback import Playback
 from pool2d.ui.theme import PALETTES, Palette, Style
 
-from .conftest import Hand
+from .conftest import FRAME, Hand
 
 TABLE = load_table("pool-9ft")
 POOL = ("yellow", "blue", "red", "purple", "orange", "green", "maroon", "black", "white")
@@ -87,6 +87,45 @@ def test_many_balls_drawn_together_look_as_each_alone() -> None:
     for ball in balls:
         ball_art.draw_all(apart, [ball])
     assert pixels(together) == pixels(apart)
+
+
+@pytest.mark.parametrize("radius", [3.0, 10.75, 33.0, 60.0])
+@pytest.mark.parametrize("ball", ["cue", "6", "8", "12"])
+def test_a_ball_looked_up_looks_nearly_as_one_painted(ball: str, radius: float) -> None:
+    def picture(lie: Quaternion, fine: bool) -> np.ndarray:
+        side = round(2.0 * radius) + 4
+        surface = pygame.Surface((side, side))
+        place = (side / 2.0 + 0.25, side / 2.0 - 0.5)
+        ball_art.draw_all(surface, [ball_art.Placed(ball_art.usual(ball), place, radius, lie, fine=fine)])
+        return pygame.surfarray.array3d(surface).astype(float)
+
+    lies = [FACING, turn(0.5, 0.3, 0.0), turn(1.4, -0.4, 2.0), turn(0.0, 2.5, 0.7)]
+    for lie in lies:
+        painted, looked_up = picture(lie, True), picture(lie, False)
+        assert 0.0 < np.abs(painted - looked_up).mean() < 5.0
+        # No other way of lying comes as near.
+        nearest = min(lies, key=lambda other: float(np.abs(picture(other, True) - looked_up).mean()))
+        assert nearest == lie or ball == "cue"
+
+
+def test_only_what_moves_while_a_shot_runs_is_drawn_roughly(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    seen: dict[bool, int] = {}
+    real = ball_art.draw_all
+
+    def record(surface: pygame.Surface, balls: list[ball_art.Placed], style: Style = theme.PLAIN) -> None:
+        seen.clear()
+        seen.update({fine: sum(ball.fine == fine for ball in balls) for fine in (True, False)})
+        real(surface, balls, style)
+
+    monkeypatch.setattr(ball_art, "draw_all", record)
+    hand.point(0.5, 0.5)
+    assert seen == {True: 16, False: 0}
+    hand.key(pygame.K_RETURN)
+    while hand.play.time <= 0.02:
+        hand.app.step(FRAME)
+    assert seen == {True: 15, False: 1}
+    hand.key(pygame.K_p)
+    assert seen == {True: 16, False: 0}
 
 
 def seen_as(color: theme.Color, kind: str) -> np.ndarray:

@@ -1,0 +1,108 @@
+"""A ball's paint worked out once for every place on it: one that moves is looked up there, not painted anew.
+
+The cube round the ball is cut into small cells, and those that the ball's surface runs through are numbered. A place
+on the ball tells its cell by mere rounding, whatever the ball; a skin is one paint for each cell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+import pygame
+
+from .ball_light import Floats, light
+from .ball_paint import Coat, paint
+
+# Pixels, BGRA, by the number of the cell.
+Skin = npt.NDArray[np.uint32]
+
+# Cells to a pixel, and along the cube at most: on large balls they are coarser than pixels, which nobody sees
+# in a picture that stands for a sixtieth of a second.
+_FINE, _MOST = 2, 96
+
+
+class Cells:
+    """The cells of balls of `radius` pixels."""
+
+    def __init__(self, radius: float) -> None:
+        self.radius = radius
+        self.side = min(round(2.0 * radius * _FINE), _MOST)
+        middles = (np.arange(self.side, dtype=np.float32) + 0.5) * (2.0 / self.side) - 1.0
+        squares = middles * middles
+        far = np.sqrt(squares[:, None, None] + squares[:, None] + squares)
+        # A point of the surface is at most half a cell's diagonal from the middle of its cell.
+        near = np.flatnonzero(np.abs(far - 1.0) <= np.sqrt(3.0) / self.side)
+        self._numbers = np.zeros(self.side**3, dtype=np.int32)
+        self._numbers[near] = np.arange(len(near))
+        places = middles[np.stack(np.unravel_index(near, far.shape))]
+        self.places: Floats = places / far.reshape(-1)[near]
+
+    def numbers(self, turns: Floats, normals: Floats) -> npt.NDArray[np.int32]:
+        """The cells (balls, points) of points that are seen at `normals` (balls, 3, points).
+
+        `turns` (balls, 3, 3) are the matrices by which the balls have turned.
+        """
+        half = 0.5 * self.side
+        # Turned back: the transposed matrix. No normal is longer than 1 but for rounding, for which there is room.
+        places = np.matmul(turns.transpose(0, 2, 1) * np.float32(half - 1e-3), normals)
+        places += half
+        x, y, z = places.astype(np.int32).transpose(1, 0, 2)
+        x *= self.side
+        x += y
+        x *= self.side
+        x += z
+        found: npt.NDArray[np.int32] = self._numbers.take(x)
+        return found
+
+
+@lru_cache(maxsize=2)
+def cells(radius: float) -> Cells:
+    return Cells(radius)
+
+
+# Skins made before, the latest last. Like a function's cache, it changes no picture.
+_skins: dict[tuple[Coat, float], Skin] = {}
+_KEPT = 64
+
+
+def known(coat: Coat, radius: float) -> bool:
+    """Whether the skin of such a ball is there already."""
+    return (coat, radius) in _skins
+
+
+def skin(coat: Coat, radius: float) -> Skin:
+    """The skin of a ball of `radius` pixels."""
+    found = _skins.get((coat, radius))
+    if found is None:
+        found = _skins[coat, radius] = _made(coat, radius)
+        if len(_skins) > _KEPT:
+            del _skins[next(iter(_skins))]
+    return found
+
+
+def _made(coat: Coat, radius: float) -> Skin:
+    places = cells(radius).places[None]
+    soft = np.full(places[:, 0].shape, radius, np.float32)
+    pixels = np.full((places.shape[2], 4), 255, dtype=np.uint8)
+    pixels[:, :3] = paint([coat], places, soft, radius).color[0, ::-1].T
+    found: Skin = pixels.view(np.uint32)[:, 0]
+    return found
+
+
+def pictures(coats: Sequence[Coat], radius: float, steps: Sequence[int], turns: Floats) -> list[pygame.Surface]:
+    """Balls of one radius in the light, each at its step and with the matrix (3, 3) by which it has turned."""
+    lamp = light(radius)
+    numbers = cells(radius).numbers(turns, lamp.normals(steps))
+    side = 2 * lamp.half + 1
+    made = []
+    for coat, step, cell in zip(coats, steps, numbers, strict=True):
+        pixels = skin(coat, radius).take(cell)
+        picture = pygame.image.frombuffer(pixels.data.cast("B"), (side, side), "BGRA")
+        shade, gloss = lamp.layers(step)
+        picture.blit(shade, (0, 0), None, pygame.BLEND_RGBA_MULT)
+        picture.blit(gloss, (0, 0), None, pygame.BLEND_RGB_ADD)
+        made.append(picture)
+    return made
