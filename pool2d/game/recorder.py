@@ -126,8 +126,17 @@ def resume(path: Path) -> Recorder:
 
 def unfinished(most: int = 50) -> list[Path]:
     """Which of the player's latest records can be gone on with, the latest first; none that is damaged."""
-    paths = sorted(matches_folder().glob("*" + ENDING), key=_age)[:most]
-    return [path for path in paths if _can_go_on(path)]
+    return [path for path in _by_age()[:most] if _can_go_on(path)]
+
+
+def latest() -> Path | None:
+    """The record of the match that was played last, damaged or not; None where there is none."""
+    return next(iter(_by_age()), None)
+
+
+def _by_age() -> list[Path]:
+    """The player's records, the latest first."""
+    return sorted(matches_folder().glob("*" + ENDING), key=_age)
 
 
 def _age(path: Path) -> int:

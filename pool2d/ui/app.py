@@ -54,7 +54,7 @@ class App:
         self.surface = surface or open_window(size, self.store.values.screen.full)
         self.size = size
         pygame.key.set_repeat(300, 30)
-        pygame.display.set_caption(f"pool2d \N{EN DASH} {table.title}")
+        self._caption = ""
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
         self.toasts = Toasts()
@@ -198,10 +198,14 @@ class App:
             self.toast(say("window.picture_failed", reason=error), wrong=True)
 
     def _follow(self) -> None:
-        """Settings and files are for the table that is on the screen."""
+        """Settings, files and the window's title are for the table that is on the screen."""
         if isinstance(self.scene, Play) and self.scene is not self.play:
             self.play = self.scene
             self._apply()
+        caption = f"pool2d \N{EN DASH} {self.play.session.table.title}"
+        if caption != self._caption:
+            self._caption = caption
+            pygame.display.set_caption(caption)
 
     # The settings.
 

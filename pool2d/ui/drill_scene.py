@@ -167,7 +167,7 @@ class DrillPlay(Play):
         self.told = lambda: say("drill.no_undo", key=KEYS.shown("same_shot"))
 
     def _tune(self) -> None:
-        self.told = lambda: say("edit.practice_only")
+        self.told = lambda: say("play.practice_only")
 
     def _cancel(self) -> None:
         if self.hands.busy:

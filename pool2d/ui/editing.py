@@ -334,7 +334,7 @@ class Editing:
     def _allowed(self) -> bool:
         """Whether this is practice; where it is not, that is told."""
         if not self.play.session.free:
-            self._tell(lambda: say("edit.practice_only"))
+            self._tell(lambda: say("play.practice_only"))
         return self.play.session.free
 
     def _tell(self, told: Callable[[], str]) -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import random
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from ..errors import InputError
 from ..game.record import load
-from ..game.recorder import resume, unfinished
+from ..game.recorder import latest, resume, unfinished
 from ..game.session import PRACTICE, Session, practice, recorded
 from ..settings import Store
 from .dialog import Confirm
@@ -20,6 +20,7 @@ from .help import Help
 from .menu import Banner, Menu, Way, pause_menu
 from .new_match import NewMatch
 from .options import Options
+from .pick import Pick
 from .play import Play
 from .replays import open_replays
 from .rulings import title
@@ -38,6 +39,7 @@ class Lobby:
         self.store = store
         self.tell = tell
         self._told: InputError | None = None
+        self._damaged: Path | None = None
         play.paused = self.pause
         play.ended = self.ended
 
@@ -46,7 +48,7 @@ class Lobby:
     def menu(self) -> Menu:
         """What the game can be asked for."""
         entries = [
-            *self._going_on(),
+            *self._going_on(lambda: menu),
             Way(lambda: say("menu.new"), lambda: self._new_match(menu)),
             Way(lambda: title(PRACTICE), lambda: self.play),
             Way(lambda: say("drill.title"), lambda: open_drills(menu, self.play)),
@@ -106,23 +108,51 @@ class Lobby:
             Way(lambda: say("menu.quit"), lambda: None),
         ]
 
-    def _going_on(self) -> list[Way]:
-        """The entry for the latest match that is not finished, if there is one."""
-        path = next(iter(unfinished()), None)
-        if path is None:
-            return []
+    def _going_on(self, here: Callable[[], Scene]) -> list[Way]:
+        """The entries for the latest match that is not finished, and for all of them where there are more."""
+        self._look_at_latest()
+        paths = unfinished()
         try:
-            told = _told(path)
+            told = [_told(path) for path in paths[:1]]
         except (InputError, OSError):
             return []
-        return [Way(lambda: say("menu.continue"), lambda: self._resume(path), told)]
+        ways = [Way(lambda: say("menu.continue"), lambda: self._resume(paths[0]), details) for details in told]
+        if len(paths) > 1:
+            ways.append(Way(lambda: say("menu.others"), lambda: self._others(here(), paths)))
+        return ways
+
+    def _others(self, menu: Scene, paths: Sequence[Path]) -> Scene:
+        """The matches that can be gone on with, to choose one of."""
+
+        def take(at: int) -> Scene | str:
+            try:
+                return self._taken_up(paths[at])
+            except InputError as error:
+                return str(error)
+
+        return Pick(menu, say("menu.others"), [path.stem for path in paths], 0, say("menu.continue"), take)
+
+    def _look_at_latest(self) -> None:
+        """Tell once where the record of the match played last is damaged, as it cannot be gone on with."""
+        path = latest()
+        if path is None or path == self._damaged:
+            return
+        try:
+            load(path, torn=True)
+        except InputError as error:
+            self._damaged = path
+            self.tell(str(error))
 
     def _resume(self, path: Path) -> Scene | None:
         try:
-            recorder = resume(path)
+            return self._taken_up(path)
         except InputError as error:
+            self._damaged = path
             self.tell(str(error))
             return self.menu()
+
+    def _taken_up(self, path: Path) -> Scene:
+        recorder = resume(path)
         return self.begin(Session(recorder.match, recorder))
 
     def _new_match(self, menu: Scene) -> Scene:

@@ -18,7 +18,7 @@ from pool2d.ui.help import Help, hands, keys
 from pool2d.ui.hud import Screen
 from pool2d.ui.keys import CTRL, DEFAULTS, action_of
 
-from .conftest import Hand
+from .conftest import FRAME, Hand
 
 ROOT = Path(__file__).parents[2]
 
@@ -241,3 +241,10 @@ def test_a_missing_font_is_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: P
     monkeypatch.setattr(text, "asset", lambda *_: tmp_path / "none.ttf")
     assert text.font(17).size("pool")[0] > 0
     text.font.cache_clear()
+
+
+def test_the_window_is_named_after_the_table_that_is_played_on(hand: Hand) -> None:
+    assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + hand.play.session.table.title
+    hand.play.open_table("snooker-12ft")
+    hand.app.step(FRAME)
+    assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + load_table("snooker-12ft").title

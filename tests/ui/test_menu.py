@@ -24,6 +24,7 @@ from pool2d.ui.help import Help
 from pool2d.ui.menu import Menu
 from pool2d.ui.new_match import NewMatch
 from pool2d.ui.options import Options
+from pool2d.ui.pick import Pick
 from pool2d.ui.play import Play
 
 from .conftest import Hand
@@ -167,6 +168,49 @@ def test_a_match_that_no_longer_plays_as_recorded_is_told_and_left_alone(
     assert path.read_bytes() == damaged
     assert [note.wrong for note in guest.app.toasts.notes] == [True]
     assert "Continue" not in labels(guest)
+
+
+def test_of_several_matches_that_were_left_any_is_gone_on_with() -> None:
+    paths = [left_match(race) for race in (2, 3)]
+    for age, path in enumerate(paths):
+        os.utime(path, (10 - age, 10 - age))
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    assert labels(guest)[:2] == ["Continue", "Unfinished matches"]
+    choose(guest, "Unfinished matches")
+    assert shown(guest) is Pick
+    guest.key(pygame.K_ESCAPE)
+    assert shown(guest) is Menu
+    choose(guest, "Unfinished matches")
+    # The list has them by age, as the menu has.
+    guest.key(pygame.K_DOWN)
+    guest.key(pygame.K_RETURN)
+    assert shown(guest) is Play
+    assert guest.play.session.match.setup.race == 3
+    app.close()
+
+
+def test_a_damaged_record_is_told_once_where_it_is_the_latest() -> None:
+    left_match()
+    noise = matches_folder() / "noise.jsonl"
+    noise.write_text("noise\n")
+    os.utime(noise, (1, 1))
+    assert told_at_start() == []
+    os.utime(noise)
+    told = told_at_start()
+    assert len(told) == 1 and told[0].startswith(str(noise))
+    assert noise.read_text() == "noise\n"
+
+
+def told_at_start() -> list[str]:
+    """What is told while the menu opens, twice."""
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    assert labels(guest)[0] == "Continue"
+    app.lobby.menu()
+    told = [note.words for note in app.toasts.notes]
+    app.close()
+    return told
 
 
 def test_closing_the_window_lets_go_of_the_record() -> None:
