@@ -13,11 +13,12 @@ from pool2d import Ball, Shot
 from pool2d.catalogue import TABLES, shipped
 from pool2d.game.actions import Stroke
 from pool2d.game.drill_file import load as load_drill
-from pool2d.game.match import Match, Setup
+from pool2d.game.match import Match
 from pool2d.game.record import load
 from pool2d.game.recorder import record
 from pool2d.game.reel import Reel
 from pool2d.game.session import Session
+from pool2d.game.setup import Setup
 from pool2d.ui.drill_scene import DrillPlay
 from pool2d.ui.inputs import Slider
 from pool2d.ui.replay_scene import Replay

@@ -6,8 +6,9 @@ import random
 
 from benchmarks.matches import SHORT, place, stroke, table_for
 from pool2d.game.actions import Action, Concede, NextFrame, Stalemate, Stroke
-from pool2d.game.match import Match, Setup
+from pool2d.game.match import Match
 from pool2d.game.rules import AIM, OVER, PLACE, Choice
+from pool2d.game.setup import Setup
 
 
 def new_match(game: str, seed: int, race: int = 1) -> Match:

@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 
 from pool2d import Ball, InputError, Layout, Shot, Table
 from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke, as_dict, from_dict
-from pool2d.game.match import LOSER, WINNER, Match, Moment, Setup, setup_of
+from pool2d.game.match import Match, Moment
 from pool2d.game.report import Call
 from pool2d.game.rules import GAMES, Choice
+from pool2d.game.setup import LOSER, WINNER, Setup, setup_of
 from pool2d.physics.values import POCKETED
 
 from .random_play import new_match, random_action
@@ -205,7 +206,7 @@ def test_what_is_not_asked_for_changes_nothing(table: Table, action: Action, wor
         ({"race": 1.5}, "race = 1.5"),
         ({"seed": "x"}, "seed = 'x'"),
         ({"breaks": "often"}, "breaks = 'often'"),
-        ({"breaker": 2}, "breaker = 2: allowed is -1, for a coin, to 1"),
+        ({"breaker": 2}, "breaker = 2: allowed is 0 to 1, -1 for a coin and -2 for a lag"),
         ({"names": ("Ann",)}, "allowed are 2 names"),
         ({"names": ("Ann", "B\nb")}, "printable"),
         ({"names": ("Ann", " ")}, "printable"),

@@ -18,10 +18,11 @@ from benchmarks import replays
 from pool2d import InputError, Shot, load_table
 from pool2d.cli import main
 from pool2d.game.actions import Concede, Stroke
-from pool2d.game.match import Match, Setup
+from pool2d.game.match import Match
 from pool2d.game.record import Divergence, load, matches_folder, restored, seal, takes, verify
 from pool2d.game.recorder import Recorder, record, resume, unfinished
 from pool2d.game.rules import GAMES
+from pool2d.game.setup import Setup
 
 from .random_play import new_match, random_action
 

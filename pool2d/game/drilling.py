@@ -8,10 +8,11 @@ from ..errors import InputError
 from ..physics.rollout import Rollout
 from ..physics.values import Shot
 from .drills import Drill, Run, begin
-from .match import Match, Setup
+from .match import Match
 from .report import Call
 from .rules import AIM, OVER, Ask
 from .session import PRACTICE, Session
+from .setup import Setup
 
 
 class DrillSession(Session):

@@ -6,57 +6,31 @@ Each action leads to a new `Moment`, which never changes; undo and redo go back 
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 from ..errors import InputError, suggest
-from ..knobs import Knob
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import Layout
 from ..table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from .report import Call, Report
-from .rules import AIM, OVER, Ask, Choice, Ruling, State, game
+from .rules import AIM, OVER, Ask, Choice, Rules, Ruling, State, game
+from .rules.lag import Lag, LagState
 from .rules.practice import Practice
+from .setup import ALTERNATE, LAG, WINNER, Setup, checked
 from .tally import Tally, after_frame, after_stroke
 from .witness import read
-
-ALTERNATE, WINNER, LOSER = "alternate", "winner", "loser"
-BREAKS = (ALTERNATE, WINNER, LOSER)
-_RACE = Knob(1, 1, 100, "frames", "")
-_SEED = Knob(0, -1e15, 1e15, "", "")
-_NAME = 40
-
-
-@dataclass(frozen=True, slots=True)
-class Setup:
-    """What is agreed before a match.
-
-    `race` is how many frames win it; `breaks` who breaks after the first frame: "alternate", "winner" or
-    "loser". `breaker` breaks first, as a lag or the players decided; -1 leaves it to a coin. `seed` gives
-    the coin and the racks. Without `names` the players are Player 1 and so on.
-    """
-
-    game: str = "practice"
-    options: Mapping[str, float | str] = field(default_factory=dict)
-    names: tuple[str, ...] = ()
-    race: int = 1
-    breaks: str = ALTERNATE
-    breaker: int = -1
-    seed: int = 0
-
-    def as_dict(self) -> dict[str, Any]:
-        """The setup in JSON's types; `setup_of` reads it."""
-        return {**asdict(self), "options": dict(self.options), "names": list(self.names)}
 
 
 @dataclass(frozen=True, slots=True)
 class Moment:
     """Where a match stands after an action, and that action; `rollout` and `report` are of a stroke.
 
-    `shooter` played the last stroke of the frame, -1 where there was none; `breaker` broke or is to.
+    A lag has no report: it counts for nothing but the break. `shooter` played the last stroke of the frame, -1
+    where there was none; `breaker` broke or is to.
     """
 
     ruling: Ruling
@@ -87,11 +61,11 @@ class Match:
         """Raises InputError where the setup is not one, or the game cannot be played on the table."""
         self.table = table
         self.rules = game(setup.game, table, setup.options)
-        self.setup = _checked(setup, self.rules.players)
+        self.setup = checked(setup, self.rules, table)
         self.names = self.setup.names
         coin = random.Random(f"coin {setup.seed}").randrange(self.rules.players)
         breaker = coin if setup.breaker < 0 else setup.breaker
-        ruling = self.rules.start(breaker, self._seed(0))
+        ruling = self._lag.start(breaker, setup.seed) if setup.breaker == LAG else self._begin(breaker)
         self._past = [Moment(ruling, (Tally(),) * self.rules.players, breaker)]
         self._future: list[Moment] = []
 
@@ -167,7 +141,7 @@ class Match:
 
     def _after(self, action: Action) -> Moment:
         now = self.now
-        state, layout = now.state, now.layout
+        state, layout, rules = now.state, now.layout, self._judge
         if isinstance(action, NextFrame):
             return self._next_frame()
         if state.over:
@@ -175,14 +149,16 @@ class Match:
         if isinstance(action, Stroke):
             return self._stroke(action)
         if isinstance(action, Choice):
-            ruling = self.rules.choose(state, layout, action)
+            ruling = rules.choose(state, layout, action)
+            if lagged(state) and not lagged(ruling.state):
+                now = replace(now, shooter=-1, breaker=ruling.state.breaker)
         elif isinstance(action, Concede):
             if type(action.player) is not int or not 0 <= action.player < self.rules.players:
                 raise InputError("match", "player", action.player, f"allowed is 0 to {self.rules.players - 1}")
-            ruling = self.rules.conceded(state, layout, action.player)
+            ruling = rules.conceded(state, layout, action.player)
         elif isinstance(action, Stalemate):
             # The last stroke is nobody's in the new rack.
-            now, ruling = replace(now, shooter=-1), self.rules.stalemate(state)
+            now, ruling = replace(now, shooter=-1), rules.stalemate(state)
         else:
             ruling = self._arranged(action)
         return self._moment(replace(now, ruling=ruling, action=action, rollout=None, report=None))
@@ -196,7 +172,9 @@ class Match:
         _check_call(stroke.call, ask, self.table)
         rollout = simulate(self.table, now.layout, stroke.shot)
         report = read(self.table, rollout, stroke.call, ask.ball)
-        ruling = self.rules.judge(now.state, rollout.layout(), report)
+        ruling = self._judge.judge(now.state, rollout.layout(), report)
+        if lagged(now.state):
+            return Moment(ruling, now.tallies, now.breaker, now.frame, ask.who, stroke, rollout)
         tallies = after_stroke(now.tallies, ask.who, now.shooter == ask.who, ruling, report)
         return self._moment(Moment(ruling, tallies, now.breaker, now.frame, ask.who, stroke, rollout, report))
 
@@ -223,40 +201,27 @@ class Match:
         ruling = self.rules.start(breaker, self._seed(now.frame + 1))
         return Moment(ruling, now.tallies, breaker, now.frame + 1, action=NextFrame())
 
+    @property
+    def _judge(self) -> Rules[Any]:
+        """The rules that hold at the moment: those of the game, or of the lag before it."""
+        return self._lag if lagged(self.state) else self.rules
+
+    @cached_property
+    def _lag(self) -> Lag:
+        return Lag(self.table, self._begin)
+
+    def _begin(self, breaker: int) -> Ruling:
+        """The first break of the match."""
+        return self.rules.start(breaker, self._seed(0))
+
     def _seed(self, frame: int) -> int:
         """The seed of a frame's racks."""
         return self.setup.seed + 1_000_000 * frame
 
 
-def setup_of(data: Mapping[str, Any], source: str) -> Setup:
-    """The setup that `as_dict` made it of; raises InputError for an unknown key. Match looks at the values."""
-    known = {entry.name for entry in fields(Setup)}
-    for key, value in data.items():
-        if key not in known:
-            raise InputError(source, key, value, suggest(key, known))
-    for key, kind in (("options", dict), ("names", list), ("game", str), ("breaks", str)):
-        if not isinstance(data.get(key, kind()), kind):
-            raise InputError(source, key, data[key], f"allowed is a {kind.__name__}")
-    return Setup(**{**data, "names": tuple(data.get("names", ()))})
-
-
-def _checked(setup: Setup, players: int) -> Setup:
-    """The setup with every player named; raises InputError where a value is out of range."""
-    for name, knob, value in (("race", _RACE, setup.race), ("seed", _SEED, setup.seed)):
-        if type(value) is not int:
-            raise InputError("match", name, value, f"allowed is a whole number; {knob.allowed()}")
-        knob.check(value, "match", name)
-    if setup.breaks not in BREAKS:
-        raise InputError("match", "breaks", setup.breaks, suggest(setup.breaks, BREAKS))
-    if type(setup.breaker) is not int or not -1 <= setup.breaker < players:
-        raise InputError("match", "breaker", setup.breaker, f"allowed is -1, for a coin, to {players - 1}")
-    names = setup.names or tuple(f"Player {number}" for number in range(1, players + 1))
-    if len(names) != players:
-        raise InputError("match", "names", names, f"allowed are {players} names")
-    for name in names:
-        if not isinstance(name, str) or not name.strip() or not name.isprintable() or len(name) > _NAME:
-            raise InputError("match", "names", name, f"allowed is a text of up to {_NAME} printable characters")
-    return replace(setup, names=names)
+def lagged(state: State) -> bool:
+    """Whether players lag, or have to choose what follows from it."""
+    return isinstance(state, LagState)
 
 
 def _check_call(call: Call, ask: Ask, table: Table) -> None:

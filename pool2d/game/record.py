@@ -25,7 +25,8 @@ from ..physics.rollout import Rollout
 from ..preset import load_table
 from ..table import Table
 from .actions import as_dict, from_dict
-from .match import Match, Moment, Setup, setup_of
+from .match import Match, Moment
+from .setup import Setup, setup_of
 
 FORMAT = 1
 FOLDER, ENDING = "matches", ".jsonl"

@@ -7,11 +7,12 @@ from ..physics.rollout import Rollout
 from ..physics.values import Ball, Layout, Shot
 from ..table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stroke
-from .match import Match, Moment, Setup
+from .match import Match, Moment
 from .recorder import Recorder, record
 from .report import Call
 from .rules import PLACE, Ask, Choice, Ruling
 from .rules.spotting import may_place
+from .setup import Setup
 
 PRACTICE = "practice"
 
@@ -65,8 +66,10 @@ class Session:
 
     @property
     def last(self) -> Moment | None:
-        """The last stroke of this frame, unless the balls were arranged since."""
+        """The last stroke of this frame, unless the balls were arranged or racked since."""
         for moment in reversed(self.match.history):
+            if moment.state.racks != self.match.state.racks:
+                break
             if moment.rollout is not None:
                 return moment
             if moment.action is None or isinstance(moment.action, Arrange | NextFrame):

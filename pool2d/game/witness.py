@@ -73,6 +73,7 @@ class _Reader:
             stayed=self.stayed(),
             crossed=self.over(self.line),
             passed=self.over(0.5 * self.table.knobs.table.length),
+            astray=self.astray(),
             jammed=tuple(self.jammed()),
             strayed=() if self.table.geometry.pockets else tuple(self.strayed()),
             start=self.start,
@@ -150,6 +151,12 @@ class _Reader:
             return False
         met = [(event, pair) for event in self.rollout.events for pair in event.pairs if self.cue in pair]
         return all(event.before[ball].x < self.line for event, pair in met for ball in pair)
+
+    def astray(self) -> bool:
+        """Whether the cue ball went over the long string."""
+        middle = 0.5 * self.table.knobs.table.width
+        low, high = _span(self.rollout.tracks[self.cue], self.rollout.duration, 0.0, 1.0)
+        return low < middle < high
 
     def jammed(self) -> Iterator[str]:
         """The cushions that the cue ball lay on and was shot into."""

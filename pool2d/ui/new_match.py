@@ -6,10 +6,10 @@ import random
 from collections.abc import Callable, Sequence
 
 from ..errors import InputError
-from ..game.match import BREAKS, Setup
 from ..game.rules import GAMES, games_for
 from ..game.rules.base import YES_NO
 from ..game.session import PRACTICE, Session, recorded
+from ..game.setup import BREAKS, COIN, LAG, Setup, can_lag
 from ..knobs import Knob, walk
 from ..preset import load_table, presets, read_preset
 from ..settings import Store
@@ -22,7 +22,6 @@ from .scene import Scene
 from .widgets import Button, Gap, Heading, Toggle, Widget
 from .words import say
 
-COIN = "coin"
 _RACES = tuple(str(frames) for frames in (*range(1, 16), 17, 19, 21, 25, 35))
 # What is offered for a number, as far as its range goes.
 _LADDER = (*range(11), 12, 15, 20, 25, 30, 35, 40, 50, 60, 75, 80, 100, 125, 150, 200, 250, 300, 400, 500, 750, 1000)
@@ -46,7 +45,7 @@ class NewMatch(Dialog):
         self.table = table.source
         self.game = ""
         self.race = "1"
-        self.breaker = COIN
+        self.breaker = str(COIN)
         self.breaks = BREAKS[0]
         self.options: dict[str, float | str] = {}
         self.wrong = ""
@@ -74,10 +73,10 @@ class NewMatch(Dialog):
         table = self._loaded()
         if table is None or not self.game:
             return
-        breaker = -1 if self.breaker == COIN else int(self.breaker)
         setup = Setup(
-            self.game, self.options, self.names, int(self.race), self.breaks, breaker, random.randrange(1 << 30)
-        )
+            self.game, self.options, self.names, int(self.race), self.breaks, int(self.breaker),
+            random.randrange(1 << 30),
+        )  # fmt: skip
         try:
             session = recorded(table, setup)
         except InputError as error:
@@ -98,7 +97,7 @@ class NewMatch(Dialog):
                 [Gap(0.2)],
                 [*self.fields],
                 [self._turning("race", say("match.race"), _RACES, str, say("match.race_hint"))],
-                [self._turning("breaker", say("match.breaker"), (COIN, "0", "1"), self._who)],
+                [self._turning("breaker", say("match.breaker"), self._breakers(), self._who)],
                 [self._turning("breaks", say("match.breaks"), BREAKS, lambda name: say(f"match.breaks_by.{name}"))],
                 [Gap(0.2)],
                 *([widget] for widget in options),
@@ -150,6 +149,8 @@ class NewMatch(Dialog):
         if name != self.game:
             self.options = {}
         self.game = name
+        if self.breaker not in self._breakers():
+            self.breaker = str(COIN)
         self._lay_out()
 
     def _loaded(self) -> Table | None:
@@ -173,8 +174,16 @@ class NewMatch(Dialog):
         except InputError:
             return name
 
+    def _breakers(self) -> list[str]:
+        """Who may be said to break first, as a setup has them."""
+        table = self._loaded()
+        lag = table is not None and self.game != "" and can_lag(GAMES[self.game], table)
+        return [str(who) for who in (COIN, *([LAG] if lag else []), 0, 1)]
+
     def _who(self, breaker: str) -> str:
-        return say("match.coin") if breaker == COIN else self.names[int(breaker)]
+        if breaker == str(COIN):
+            return say("match.coin")
+        return say("match.lag") if breaker == str(LAG) else self.names[int(breaker)]
 
     def _cancel(self) -> None:
         self.done = True

@@ -9,8 +9,9 @@ import pytest
 
 from pool2d import Ball, Layout, load_table
 from pool2d.game import shelf
-from pool2d.game.match import Match, Setup
+from pool2d.game.match import Match
 from pool2d.game.session import Session
+from pool2d.game.setup import Setup
 from pool2d.physics.values import POCKETED
 from pool2d.position import read
 from pool2d.ui.dialog import Ask
@@ -203,7 +204,7 @@ def test_in_a_match_only_the_cue_ball_in_hand_moves_and_only_where_it_may(hand: 
     assert place(hand, "1") == (one.x, one.y)
     for key, mod in ((pygame.K_F6, 0), (pygame.K_c, 0), (pygame.K_o, CTRL)):
         hand.key(key, mod)
-        assert "practice only" in hand.play.message
+        assert "Only in practice" in hand.play.message
         assert session.layout == session.match.layout
 
 

@@ -9,10 +9,10 @@ import pygame
 import pytest
 
 from pool2d import Ball, Layout, Shot, load_table
-from pool2d.game.match import Setup
 from pool2d.game.record import load
 from pool2d.game.recorder import unfinished
 from pool2d.game.session import Session, recorded
+from pool2d.game.setup import Setup
 from pool2d.ui.ended import FrameOver, MatchOver, potting, statistics
 from pool2d.ui.menu import Menu
 from pool2d.ui.play import Play

@@ -6,9 +6,9 @@ import pygame
 import pytest
 
 from pool2d import Layout, load_table
-from pool2d.game.match import Setup
 from pool2d.game.rules import AIM, CHOOSE, PLACE
 from pool2d.game.session import Session, recorded
+from pool2d.game.setup import Setup
 from pool2d.ui import scoreboard, words
 
 from .conftest import Hand

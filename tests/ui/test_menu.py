@@ -11,10 +11,10 @@ import pytest
 
 from pool2d import Shot, cli, load_table
 from pool2d.game.actions import NextFrame
-from pool2d.game.match import Setup
 from pool2d.game.record import load, matches_folder
 from pool2d.game.recorder import unfinished
 from pool2d.game.session import Session, recorded
+from pool2d.game.setup import Setup
 from pool2d.ui import start, words
 from pool2d.ui.app import App
 from pool2d.ui.dialog import Confirm

@@ -9,6 +9,7 @@ import pygame
 import pytest
 
 from pool2d import load_table
+from pool2d.game.record import load, restored, verify
 from pool2d.game.rules import games_for
 from pool2d.game.session import PRACTICE
 from pool2d.settings import Store
@@ -64,7 +65,7 @@ def turn(hand: Hand, label: str, times: int = 1) -> None:
 def test_it_begins_as_agreed(guest: Hand) -> None:
     turn(guest, "Game")
     turn(guest, "Race to", 2)
-    turn(guest, "Breaks first", 2)
+    turn(guest, "Breaks first", 3)
     turn(guest, "Breaks then")
     turn(guest, "The nine on the break")
     push = widget(guest, "Push out")
@@ -78,6 +79,44 @@ def test_it_begins_as_agreed(guest: Hand) -> None:
     assert (match.setup.race, match.setup.breaker, match.setup.breaks) == (3, 1, "winner")
     assert match.names == ("Player 1", "Player 2")
     assert guest.play.session.recorder is not None
+
+
+def test_a_lag_decides_who_breaks_and_is_on_the_record(guest: Hand) -> None:
+    turn(guest, "Breaks first")
+    click(guest, widget(guest, "Start").rect.center)
+    session = guest.play.session
+    first = session.ask.who
+    assert f"Player {first + 1} lags" in guest.play.message
+    for speed in (1.4, 1.6):
+        # To the foot cushion, which is on the right.
+        guest.point(2.0, session.cue.y)
+        guest.play.hands.aim = guest.play.hands.aim.with_speed(speed)
+        guest.key(pygame.K_RETURN)
+        guest.wait_for_rest()
+    assert f"Player {first + 1} wins the lag" in guest.play.message
+    assert session.ask.options == ("break", "give-break")
+    guest.key(pygame.K_2)
+    assert session.ask.who == 1 - first and session.cue.id == "cue"
+    # The shots of the lag are none of the frame's.
+    guest.key(pygame.K_r)
+    assert guest.play.playback is None
+    recorder = session.recorder
+    assert recorder is not None
+    session.leave()
+    kept = load(recorder.path)
+    assert verify(kept) is None
+    assert restored(kept).now.ruling == session.ruling
+
+
+def test_a_table_without_a_head_cushion_offers_no_lag(guest: Hand) -> None:
+    turn(guest, "Breaks first")
+    scene = guest.app.scene
+    assert isinstance(scene, NewMatch) and scene.breaker == "-2"
+    scene._take_table("l-shape")
+    guest.app.step(0.0)
+    assert scene.breaker == "-1"
+    turn(guest, "Breaks first")
+    assert scene.breaker == "0"
 
 
 def test_by_keys_alone(guest: Hand) -> None:

@@ -11,9 +11,9 @@ import pytest
 
 from pool2d.assets import asset
 from pool2d.game.drills import MISSES
-from pool2d.game.match import BREAKS
 from pool2d.game.rules import GAMES
 from pool2d.game.rules.words import ENGLISH as RULINGS
+from pool2d.game.setup import BREAKS
 from pool2d.knobs import walk
 from pool2d.preset import conditions
 from pool2d.settings import GUIDES, Settings
