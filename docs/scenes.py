@@ -154,16 +154,8 @@ def match(hand: Hand, game: str = "eight-ball", speed: float = 9.5) -> Session:
     session = Session(Match(hand.play.session.table, Setup(game, names=("Ann", "Bob"), race=3, breaker=0, seed=4)))
     hand.app.scene = hand.app.lobby.begin(session)
     hand.play.hands.aim = hand.play.hands.aim.with_speed(speed).toward(1.0, 0.004)
-    strike(hand)
+    hand.strike()
     return session
-
-
-def strike(hand: Hand) -> None:
-    """Strike what is aimed, and see it to its end at once."""
-    hand.key(pygame.K_SPACE)
-    hand.key(pygame.K_SPACE)
-    hand.app.step(0.5)
-    hand.wait_for_rest()
 
 
 def choosing(hand: Hand) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 from benchmarks.matches import SHORT, place, stroke, table_for
-from pool2d.game.actions import Action, Concede, NextFrame, Stalemate, Stroke
+from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from pool2d.game.match import Match
 from pool2d.game.rules import AIM, OVER, PLACE, Choice
 from pool2d.game.setup import Setup
@@ -23,6 +23,8 @@ def random_action(match: Match, rng: random.Random) -> Action:
         return NextFrame()
     if rng.random() < 0.01:
         return Concede(ask.who) if rng.random() < 0.5 else Stalemate()
+    if match.setup.game == "practice" and len(ruling.layout.on_table()) < 2:
+        return Arrange(match.table.rack(next(iter(match.table.furniture.racks)), rng.randrange(1000)))
     if ask.kind == AIM:
         return Stroke(*stroke(match.table, ruling, rng))
     return place(match.table, ruling, rng) if ask.kind == PLACE else Choice(rng.choice(ask.options))

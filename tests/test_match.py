@@ -16,9 +16,11 @@ from pool2d.game.match import Match, Moment
 from pool2d.game.report import Call
 from pool2d.game.rules import GAMES, Choice
 from pool2d.game.setup import LOSER, WINNER, Setup, setup_of
+from pool2d.game.tally import after_stroke
 from pool2d.physics.values import POCKETED
 
 from .random_play import new_match, random_action
+from .rules import notation
 from .test_position import layouts, shots
 
 calls = st.builds(Call, ball=st.text(), pocket=st.text(), safety=st.booleans(), push=st.booleans())
@@ -161,6 +163,15 @@ def test_innings_and_fouls_are_counted(table: Table) -> None:
     match.play(Stroke(Shot(180.0, 1.0)))
     first, second = match.now.tallies
     assert (first.innings, first.fouls, second.innings) == (1, 1, 0)
+
+
+def test_a_ball_that_scores_nothing_is_no_run_where_points_count(table: Table) -> None:
+    match = Match(table, Setup("straight", breaker=0))
+    seen = notation.report("cue-1 1>top-left 2| 3| cue|", "5>top-right")
+    ruling = match.rules.judge(match.state, notation.without(match.layout, "1"), seen)
+    assert not ruling.foul and ruling.points == (0, 0)
+    mine = after_stroke(match.now.tallies, 0, False, match.rules.scored, ruling, seen)[0]
+    assert (mine.pots, mine.run, mine.best) == (1, 0, 0)
 
 
 def test_practice_puts_balls_anywhere(table: Table) -> None:

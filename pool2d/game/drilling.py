@@ -8,7 +8,7 @@ from ..errors import InputError
 from ..physics.rollout import Rollout
 from ..physics.values import Shot
 from .drills import Drill, Run, begin
-from .match import Match
+from .match import Match, Moment
 from .report import Call
 from .rules import AIM, OVER, Ask
 from .session import PRACTICE, Session
@@ -22,6 +22,7 @@ class DrillSession(Session):
         super().__init__(Match(drill.table, Setup(game=PRACTICE)))
         self.drill = drill
         self.run: Run = begin(drill)
+        self._stroke: Moment | None = None
         self.arrange(self.run.standing.layout)
 
     @property
@@ -34,11 +35,17 @@ class DrillSession(Session):
         kind = OVER if self.run.standing.over else AIM
         return replace(super().ask, kind=kind, where="", options=())
 
+    @property
+    def last(self) -> Moment | None:
+        """The last stroke of this attempt, though the balls may have been set up since for the next step."""
+        return self._stroke
+
     def play(self, shot: Shot, call: Call | None = None) -> Rollout:
         """Play a shot and have the drill judge it; raises as any session's, and InputError between attempts."""
         if self.run.standing.over:
             raise InputError("drill", "action", "a stroke", "the attempt is over; the balls have to be set up first")
         rollout = super().play(shot, call)
+        self._stroke = self.match.now
         self.run = self.run.after(rollout)
         if not self.run.standing.over and self.run.standing.layout != self.layout:
             self.arrange(self.run.standing.layout)
@@ -47,6 +54,7 @@ class DrillSession(Session):
     def again(self) -> None:
         """Set the balls up for the next attempt, or where there is none left for a new run."""
         self.run = begin(self.drill) if self.run.over else self.run.again()
+        self._stroke = None
         self.arrange(self.run.standing.layout)
 
     def rack(self, seed: int = 0, name: str = "") -> None:

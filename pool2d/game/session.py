@@ -147,13 +147,13 @@ class Session:
             if not (self.recorder or self.match).undo():
                 return undone
             undone = True
-            if not self._placing(last):
+            if not placing(last):
                 return True
 
     def redo(self) -> bool:
         """Go on to what was last taken back; False where nothing was, or something else was played since."""
         done = (self.recorder or self.match).redo()
-        while done and self._placing(self.match.now) and (self.recorder or self.match).redo():
+        while done and placing(self.match.now) and (self.recorder or self.match).redo():
             pass
         return done
 
@@ -174,9 +174,10 @@ class Session:
     def _do(self, action: Action) -> Moment:
         return (self.recorder or self.match).play(action)
 
-    @staticmethod
-    def _placing(moment: Moment) -> bool:
-        return isinstance(moment.action, Choice) and moment.action.key == "place"
+
+def placing(moment: Moment) -> bool:
+    """Whether a moment is that of a cue ball that was put down."""
+    return isinstance(moment.action, Choice) and moment.action.key == "place"
 
 
 def practice(table: Table, seed: int = 0) -> Session:

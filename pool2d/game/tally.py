@@ -28,12 +28,12 @@ class Tally:
 
 
 def after_stroke(
-    tallies: tuple[Tally, ...], who: int, again: bool, ruling: Ruling, report: Report
+    tallies: tuple[Tally, ...], who: int, again: bool, scored: bool, ruling: Ruling, report: Report
 ) -> tuple[Tally, ...]:
-    """The tallies after a stroke of player `who`; `again` where the visit goes on."""
+    """The tallies after a stroke of player `who`; `again` where the visit goes on, `scored` where points count."""
     mine = tallies[who]
     pots = 0 if ruling.foul else len(report.potted)
-    counted = ruling.points[who] if any(ruling.points) or any(ruling.state.scores) else pots
+    counted = ruling.points[who] if scored else pots
     run = (mine.run if again else 0) + counted if counted > 0 and not ruling.foul else 0
     mine = replace(
         mine,

@@ -3,33 +3,32 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
 
 import pygame
 
 from ..errors import InputError
 from ..folders import pictures_folder
 from ..game.session import practice
-from ..preset import load_table, preset_files
+from ..preset import load_table
 from ..settings import GUIDES, Store
 from ..table import Table
 from . import text, words
-from .dialog import Dialog
+from .dialog import Dialog, ground
 from .drill_scene import open_drills
 from .effects import effects_of, style_of
 from .keys import KEYS, action_of
 from .lobby import Lobby
 from .options import Options
 from .play import Play
+from .replay_scene import Replay
 from .scene import Scene
 from .sound import Sounds
 from .toast import Toasts
+from .watched import WATCH, Watched
 from .window import SIZE, open_window, set_mode
 from .words import say
 
 _FPS = 60
-# How often the open preset's file is looked at, s.
-_WATCH = 0.5
 # Settings are written when they have been left alone for so long, s.
 _SETTLED = 1.0
 
@@ -106,6 +105,7 @@ class App:
             self.toasts.draw(self.surface)
             pygame.display.flip()
             self._drawn = self._still
+            self._name()
         return True
 
     def run(self, frames: int | None = None) -> None:
@@ -129,10 +129,10 @@ class App:
 
     def _rest(self) -> None:
         """Do nothing until an event comes, or until the files are to be looked at again."""
-        event = pygame.event.wait(round(1000 * _WATCH))
+        event = pygame.event.wait(round(1000 * WATCH))
         if event.type == pygame.NOEVENT:
-            self._watch(_WATCH)
-            self._keep(_WATCH)
+            self._watch(WATCH)
+            self._keep(WATCH)
         else:
             self._came.append(event)
 
@@ -198,11 +198,16 @@ class App:
             self.toast(say("window.picture_failed", reason=error), wrong=True)
 
     def _follow(self) -> None:
-        """Settings, files and the window's title are for the table that is on the screen."""
+        """Settings and files are for the table that is on the screen."""
         if isinstance(self.scene, Play) and self.scene is not self.play:
             self.play = self.scene
             self._apply()
-        caption = f"pool2d \N{EN DASH} {self.play.session.table.title}"
+
+    def _name(self) -> None:
+        """Name the window after the table that is seen."""
+        seen = ground(self.scene) if self.scene is not None else None
+        stage = seen.stage if isinstance(seen, Play | Replay) else self.play.stage
+        caption = f"pool2d \N{EN DASH} {stage.table.title}"
         if caption != self._caption:
             self._caption = caption
             pygame.display.set_caption(caption)
@@ -256,7 +261,12 @@ class App:
     # The preset's file.
 
     def _watch(self, dt: float) -> None:
-        """Take a saved change of the preset's file, or say what is wrong with it and keep the old table."""
+        """Take a saved change of the preset's file, or say what is wrong with it and keep the old table.
+
+        A match or a drill keeps its table; what has changed meanwhile is taken in practice after it.
+        """
+        if not self.play.session.free:
+            return
         table = self.play.session.table
         if (table.source, table.conditions) != self._files.behind:
             self._files = Watched(table)
@@ -268,34 +278,3 @@ class App:
                 self.play.warning = ""
             except InputError as error:
                 self.play.warning = str(error)
-
-
-class Watched:
-    """The files behind a table, and whether one has changed since they were last looked at."""
-
-    def __init__(self, table: Table) -> None:
-        self.behind = (table.source, table.conditions)
-        self._paths = preset_files(table)
-        self._stamps = self._read()
-        self._wait = _WATCH
-
-    def changed(self, dt: float) -> bool:
-        """Whether a file has changed; asks the disk only now and then."""
-        self._wait -= dt
-        if self._wait > 0.0:
-            return False
-        self._wait = _WATCH
-        before, self._stamps = self._stamps, self._read()
-        return self._stamps != before
-
-    def _read(self) -> list[tuple[int, int] | None]:
-        return [_stamp(path) for path in self._paths]
-
-
-def _stamp(path: Path) -> tuple[int, int] | None:
-    """What changes about a file when it is saved; None where it is not there."""
-    try:
-        status = path.stat()
-    except OSError:
-        return None
-    return status.st_mtime_ns, status.st_size

@@ -98,11 +98,12 @@ def draw_whole(
     others: theme.Color = theme.GUIDE_BALL,
     style: theme.Style = theme.PLAIN,
 ) -> None:
-    """Draw every ball's way to its end, and where it comes to rest."""
+    """Draw every ball's way to its end, the struck one's in the colour `cue`, and where it comes to rest."""
     scale = _scale(view)
+    struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
     for ball in rollout.layout().values():
         if len(rollout.tracks.get(ball.id, ())) > 1:
-            color = cue if ball.id == table.furniture.cue else others
+            color = cue if ball.id in struck else others
             _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.2 * scale)
             if ball.phase != POCKETED:
                 radius = table.body_of(ball)[0] * view.scale

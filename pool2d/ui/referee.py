@@ -9,7 +9,7 @@ import pygame
 from ..game.match import Moment
 from ..game.report import Call
 from ..game.rules import AIM, CHOOSE
-from ..game.session import Session
+from ..game.session import Session, placing
 from . import pen, rulings, telling, theme
 from .form import Form
 from .hud import Screen
@@ -37,12 +37,13 @@ class Referee:
         self._shown: object = None
 
     def follow(self, session: Session) -> None:
-        """Offer what the present moment asks for; what was called holds for one shot."""
-        if session.match.now is not self._moment:
-            if self._moment is None or session.match.now.rollout is not self._moment.rollout:
+        """Offer what the present moment asks for; what was called holds for one shot, wherever it is played from."""
+        now = session.match.now
+        if now is not self._moment:
+            if not placing(now):
                 self.pocket = self.ball = ""
                 self.safety = self.push = False
-            self._moment = session.match.now
+            self._moment = now
         # Said anew in another language, too.
         shown = (session.match.now, self.pocket, self.ball, say("referee.safety"))
         if shown != self._shown:

@@ -98,11 +98,14 @@ class Replay:
 
     def _lay(self) -> None:
         """Let the balls of every stroke that is worked out lie as those before it left them."""
-        for take in self.reel.takes[self._laid :]:
-            if take.before.action is None or isinstance(take.before.action, NextFrame | Arrange | Stalemate):
-                self.stage.keeper.lying(take.rollout.start)
-            self.stage.keeper.lying(take.rollout.start, take.rollout)
-        self._laid = len(self.reel.takes)
+        takes = self.reel.takes
+        for at in range(self._laid, len(takes)):
+            before, rollout = takes[at].before, takes[at].rollout
+            last = takes[at - 1].moment.state.racks if at else None
+            if before.state.racks != last or isinstance(before.action, NextFrame | Arrange | Stalemate):
+                self.stage.keeper.lying(rollout.start)
+            self.stage.keeper.lying(rollout.start, rollout)
+        self._laid = len(takes)
 
     # Events.
 

@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable
 
 from ..errors import BudgetError, InputError
+from ..game.rules import OVER
 from ..game.session import Session, practice
 from ..physics.rollout import Rollout
 from ..physics.values import Layout, Shot
@@ -94,11 +95,15 @@ class Sitting:
         self.tuning = None
         self.session.leave()
         self.session = session
+        self.referee = Referee()
         self.told = lambda: self.referee.verdict(session)
 
     def _strike(self, speed: float, drawn: bool = False) -> None:
         """Play the shot that is aimed; `drawn` where a hand has drawn the cue back already."""
         self.hands.put_down()
+        if self.session.ask.kind == OVER:
+            self._next = self.ended()
+            return
         shot = self.hands.aim.shot(self.session.cue.id, speed)
         try:
             rollout = self.session.play(shot, self.referee.said(self.session, self.aimed(shot)))
@@ -140,11 +145,13 @@ class Sitting:
         self.drop()
         undone = self.session.undo()
         self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
+        self._next = self.ended()
 
     def _redo(self) -> None:
         self.drop()
         redone = self.session.redo()
         self.told = lambda: say("play.redone") if redone else say("play.nothing_to_redo")
+        self._next = self.ended()
 
     def _rack(self) -> None:
         if not self.session.free:

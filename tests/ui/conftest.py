@@ -71,6 +71,13 @@ class Hand:
             self.app.step(FRAME)
         raise AssertionError("the balls are still running")
 
+    def strike(self) -> None:
+        """Strike by key, and see it to its end at once."""
+        self.key(pygame.K_SPACE)
+        self.key(pygame.K_SPACE)
+        self.app.step(0.5)
+        self.wait_for_rest()
+
     def set_balls(self, *balls: Ball, in_hand: bool = False) -> None:
         """Put these balls on the table instead of the rack; the cue ball is taken in hand where that is asked for."""
         cue = self.play.session.table.furniture.cue

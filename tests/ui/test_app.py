@@ -10,13 +10,19 @@ from pathlib import Path
 import pygame
 import pytest
 
-from pool2d import load_table
+from pool2d import Shot, load_table
+from pool2d.game.record import load
+from pool2d.game.recorder import unfinished
+from pool2d.game.reel import Reel
+from pool2d.game.session import recorded
+from pool2d.game.setup import Setup
 from pool2d.preset import preset_path
 from pool2d.ui import text
 from pool2d.ui.app import App
 from pool2d.ui.help import Help, hands, keys
 from pool2d.ui.hud import Screen
 from pool2d.ui.keys import CTRL, DEFAULTS, action_of
+from pool2d.ui.replay_scene import Replay
 
 from .conftest import FRAME, Hand
 
@@ -248,3 +254,34 @@ def test_the_window_is_named_after_the_table_that_is_played_on(hand: Hand) -> No
     hand.play.open_table("snooker-12ft")
     hand.app.step(FRAME)
     assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + load_table("snooker-12ft").title
+
+
+def test_a_match_keeps_its_table_and_practice_takes_what_was_saved_meanwhile(tmp_path: Path) -> None:
+    preset = tmp_path / "mine.toml"
+    good = preset_path("pool-9ft").read_text()
+    preset.write_text(good)
+    app = App(load_table(str(preset)), seed=1)
+    try:
+        app.step(0.0)
+        app.scene = app.lobby.begin(recorded(app.play.session.table, Setup("nine-ball", breaker=0)))
+        preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
+        app.step(1.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.01
+        assert app.play.warning == ""
+        app.lobby.leave()
+        app.scene = app.play
+        app.step(1.0)
+        assert app.play.session.table.knobs.cloth.mu_roll == 0.02
+    finally:
+        app.close()
+
+
+def test_the_window_is_named_after_the_table_of_a_replay(hand: Hand) -> None:
+    session = recorded(load_table("snooker-12ft"), Setup("snooker", breaker=0))
+    session.play(Shot(speed=2.0))
+    session.leave()
+    hand.app.scene = Replay(Reel(load(unfinished()[0])), hand.play)
+    hand.app.step(FRAME)
+    assert "Snooker" in pygame.display.get_caption()[0]
+    hand.key(pygame.K_ESCAPE)
+    assert "Snooker" not in pygame.display.get_caption()[0]

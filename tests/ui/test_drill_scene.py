@@ -222,3 +222,16 @@ def test_what_is_asked_for_is_marked_on_the_cloth(hand: Hand) -> None:
     hand.app.step(FRAME)
     bare = hand.app.surface.get_at(tuple(map(round, play.stage.view.to_screen(1.2, 0.75))))
     assert sum(marked[:3]) > sum(bare[:3]) + 20
+
+
+def test_a_stroke_is_seen_again_though_the_balls_were_set_up_for_the_next_step(hand: Hand) -> None:
+    play = begin(hand, "cut-ladder-left")
+    play.hands.aim = Aim.of(play.drilling.drill.solution[0])
+    hand.strike()
+    assert play.drilling.run.standing.done == 1 and not play.drilling.run.standing.over
+    hand.key(pygame.K_r)
+    assert play.playback is not None
+    hand.key(pygame.K_ESCAPE)
+    hand.key(pygame.K_F5)
+    hand.key(pygame.K_r)
+    assert play.playback is None

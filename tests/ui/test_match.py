@@ -5,11 +5,12 @@ from __future__ import annotations
 import pygame
 import pytest
 
-from pool2d import Layout, load_table
+from pool2d import Layout, Shot, load_table, simulate
 from pool2d.game.rules import AIM, CHOOSE, PLACE
 from pool2d.game.session import Session, recorded
 from pool2d.game.setup import Setup
-from pool2d.ui import scoreboard, words
+from pool2d.ui import guide, scoreboard, words
+from pool2d.ui.ended import FrameOver
 
 from .conftest import Hand
 
@@ -24,19 +25,11 @@ def begin(hand: Hand, game: str = "eight-ball", table: str = "pool-9ft", **more:
     return session
 
 
-def strike(hand: Hand) -> None:
-    """Strike by key and see it to the end."""
-    hand.key(pygame.K_SPACE)
-    hand.key(pygame.K_SPACE)
-    hand.app.step(0.5)
-    hand.wait_for_rest()
-
-
 def test_a_break_is_judged_and_the_referee_says_what_is_next(hand: Hand) -> None:
     session = begin(hand)
     assert "Ann breaks" in hand.play.message
     hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.005)
-    strike(hand)
+    hand.strike()
     assert session.match.now.report is not None
     assert hand.play.message == hand.play.referee.verdict(session)
     assert any(name in hand.play.message for name in ("Ann", "Bob"))
@@ -46,7 +39,7 @@ def test_a_choice_is_offered_as_buttons_and_taken_by_digit(hand: Hand) -> None:
     session = begin(hand)
     # A break that is too soft: the opponent may choose.
     hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    strike(hand)
+    hand.strike()
     assert session.ask.kind == CHOOSE
     assert len(hand.play.referee.form.widgets) == len(session.ask.options) > 1
     strokes = session.strokes
@@ -59,7 +52,7 @@ def test_a_choice_is_offered_as_buttons_and_taken_by_digit(hand: Hand) -> None:
 def test_a_button_of_the_strip_is_pressed_by_mouse_and_moves_no_aim(hand: Hand) -> None:
     session = begin(hand)
     hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    strike(hand)
+    hand.strike()
     hand.app.step(0.0)
     button = hand.play.referee.form.widgets[1]
     aim = hand.play.hands.aim
@@ -119,7 +112,7 @@ def test_undo_and_redo(hand: Hand) -> None:
     session = begin(hand)
     start = session.match.now
     hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.005)
-    strike(hand)
+    hand.strike()
     after = session.match.now
     hand.key(pygame.K_u)
     assert session.match.now is start
@@ -182,3 +175,83 @@ def test_the_layout_of_a_match_is_not_arranged(hand: Hand) -> None:
     with pytest.raises(Exception, match="practice only"):
         session.arrange(Layout())
     assert session.layout is layout
+
+
+def in_hand(hand: Hand, **more: object) -> Session:
+    """An eight-ball match in which a player has the cue ball in hand and may call a safety."""
+    session = begin(hand, **more)
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.02)
+    hand.strike()
+    while session.ask.kind == CHOOSE:
+        session.choose(session.ask.options[0])
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(0.6).toward(-1.0, 0.0)
+    hand.strike()
+    assert session.ask.where == "anywhere" and "safety" in session.ask.may
+    return session
+
+
+def test_what_was_called_for_a_shot_that_is_taken_back_is_forgotten(hand: Hand) -> None:
+    session = in_hand(hand)
+    place(hand)
+    hand.key(pygame.K_2)
+    assert hand.play.referee.safety
+    hand.key(pygame.K_u)
+    assert not hand.play.referee.safety
+    assert hand.play.referee.said(session, "1").safety is False
+
+
+def test_a_call_outlives_the_placing_of_the_cue_ball(hand: Hand) -> None:
+    in_hand(hand)
+    place(hand)
+    hand.key(pygame.K_2)
+    place(hand, 0.5)
+    assert hand.play.referee.safety
+
+
+def test_what_was_called_in_one_match_is_not_said_in_the_next(hand: Hand) -> None:
+    in_hand(hand)
+    place(hand)
+    hand.key(pygame.K_2)
+    assert hand.play.referee.safety
+    hand.app.scene = hand.app.lobby.leave()
+    hand.app.scene = hand.play
+    hand.strike()
+    assert hand.play.session.strokes == 1
+
+
+def place(hand: Hand, x: float = 0.4) -> None:
+    """Put the cue ball, which is in hand, somewhere near a place."""
+    session = hand.play.session
+    for y in (0.2, 0.4, 0.6, 0.8, 1.0):
+        if session.place(x, y):
+            break
+    hand.app.redraw()
+    hand.app.step(0.0)
+
+
+def test_going_back_and_forth_over_the_end_of_a_frame_shows_it(hand: Hand) -> None:
+    session = begin(hand, race=2)
+    session.concede(0)
+    session.next_frame()
+    hand.app.step(0.0)
+    hand.key(pygame.K_u)
+    assert isinstance(hand.app.scene, FrameOver)
+    # Esc leaves it, and a stroke comes back to it rather than say what it cannot do.
+    hand.key(pygame.K_ESCAPE)
+    hand.key(pygame.K_SPACE)
+    assert isinstance(hand.app.scene, FrameOver)
+    assert "Stroke(" not in hand.play.message
+
+
+def test_the_ways_of_a_shot_tell_the_struck_ball_whichever_it_is(hand: Hand) -> None:
+    session = begin(hand, "three-cushion", "carom-10ft")
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(0.0, 1.0)
+    hand.strike()
+    assert session.ask.ball == "yellow"
+    view, yellow = hand.play.stage.view, session.cue
+    rollout = simulate(session.table, session.layout, Shot(90.0, 0.4, ball="yellow"))
+    surface = pygame.Surface((1280, 720))
+    guide.draw_whole(surface, rollout, session.table, view, (255, 0, 0, 255), (0, 0, 255, 255))
+    end = rollout.layout()["yellow"]
+    x, y = view.to_screen(0.5 * (yellow.x + end.x), 0.5 * (yellow.y + end.y))
+    assert surface.get_at((round(x), round(y)))[0] > 100 > surface.get_at((round(x), round(y)))[2]
