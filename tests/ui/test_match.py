@@ -177,9 +177,9 @@ def test_the_layout_of_a_match_is_not_arranged(hand: Hand) -> None:
     assert session.layout is layout
 
 
-def in_hand(hand: Hand, **more: object) -> Session:
+def in_hand(hand: Hand) -> Session:
     """An eight-ball match in which a player has the cue ball in hand and may call a safety."""
-    session = begin(hand, **more)
+    session = begin(hand)
     hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.02)
     hand.strike()
     while session.ask.kind == CHOOSE:
