@@ -83,7 +83,7 @@ def steady(drill: Drill, standing: Standing, shot: Shot) -> float:
 def worth(drill: Drill, standing: Standing, shot: Shot, then: Standing) -> float:
     """How good a stroke is that does the step: steady, and with a full pot next."""
     value = 2.0 * steady(drill, standing, shot)
-    if then.over or drill.steps[then.done].position is not None or not drill.steps[then.done].pot:
+    if then.over or drill.steps[then.done].layout is not None or not drill.steps[then.done].pot:
         return value
     return value - min((cut for cut, _ in lines(drill, then)), default=90.0) / 45.0
 

@@ -55,7 +55,7 @@ def settle(table: Table, layout: Layout) -> Layout:
 
 
 def mirrored(table: Table, layout: Layout, ends: bool = False) -> Layout:
-    """The layout seen in a mirror: its sides changed over, or its ends.
+    """The layout seen in a mirror: its sides swapped, or its ends.
 
     Raises InputError where the table is not as symmetric.
     """

@@ -20,7 +20,7 @@ from pool2d.cli import main
 from pool2d.game.actions import Concede, Stroke
 from pool2d.game.match import Match
 from pool2d.game.record import Divergence, load, matches_folder, restored, seal, takes, verify
-from pool2d.game.recorder import Recorder, record, resume, unfinished
+from pool2d.game.recorder import Recorder, record, records, remove, resume, unfinished
 from pool2d.game.rules import GAMES
 from pool2d.game.setup import Setup
 
@@ -108,9 +108,9 @@ def test_unfinished_matches_are_offered_the_latest_first(tmp_path: Path) -> None
     (matches_folder() / "noise.jsonl").write_text("noise")
     assert unfinished() == paths[::-1]
     assert unfinished(3) == [paths[2]]  # Beside the noise and the one that was not begun.
-    with resume(paths[1]) as recorder:
-        recorder.leave()
+    remove(paths[1])
     assert unfinished() == [paths[2], paths[0]]
+    assert len(records()) == 4 and paths[1] not in records()
     with resume(paths[2]) as recorder:
         recorder.play(Concede(0))
         assert recorder.match.over

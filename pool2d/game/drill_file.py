@@ -31,7 +31,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -39,9 +39,11 @@ from .. import catalogue
 from ..errors import InputError, suggest
 from ..files import read_bytes, read_toml, write_text
 from ..folders import data_folder
+from ..physics.values import Layout
 from ..position import read, read_shot
 from ..scenario import scenario_of
-from .drills import Drill, Rest, Step, Wording
+from ..table import Table
+from .drills import ANY, Drill, Rest, Step, Wording
 
 _BEST = "best.json"
 _KEYS = ("name", "text", "position", "steps", "pass", "tries", "solution")
@@ -71,7 +73,9 @@ def load(name: str) -> Drill:
     entries = _of(data, "steps", list, source, "")
     if not entries:
         raise InputError(source, "steps", entries, "allowed is one step or more")
-    steps = tuple(_step(entry, f"steps[{i}].", source) for i, entry in enumerate(entries))
+    table = scenario.table
+    steps = tuple(_step(entry, table, f"steps[{i}].", source) for i, entry in enumerate(entries))
+    _check_balls(steps, scenario.layout, table, source)
     goal, tries = _of(data, "pass", int, source, "", len(steps)), _of(data, "tries", int, source, "", 10)
     for key, value, most in (("pass", goal, len(steps)), ("tries", tries, 100)):
         if not 1 <= value <= most:
@@ -80,7 +84,7 @@ def load(name: str) -> Drill:
         path.stem,
         own.name,
         own.text,
-        scenario.table,
+        table,
         scenario.layout,
         steps,
         goal,
@@ -103,26 +107,69 @@ def _wording(data: Mapping[str, Any], source: str, prefix: str, default: Wording
     return Wording(*(_of(data, key, str, source, prefix, default[i]) for i, key in enumerate(_WORDING_KEYS)))
 
 
-def _step(data: Any, key: str, source: str) -> Step:
+def _step(data: Any, table: Table, key: str, source: str) -> Step:
     if not isinstance(data, dict):
         raise InputError(source, key.rstrip("."), data, "allowed is a section with " + ", ".join(_STEP_KEYS))
     _known(data, _STEP_KEYS, source, key)
-    text = _of(data, "position", str, source, key, "")
-    return Step(
-        position=read(text, source) if text else None,
+    step = Step(
+        layout=_layout(_of(data, "position", str, source, key, ""), table, key, source),
         pot=_of(data, "pot", str, source, key, ""),
-        least=_of(data, "least", int, source, key, 1),
+        least=_count(data, "least", source, key, 1),
         pocket=_of(data, "pocket", str, source, key, ""),
         first=_of(data, "first", str, source, key, ""),
         hits=tuple(map(str, _of(data, "hits", list, source, key, []))),
-        rails=_of(data, "rails", int, source, key, 0),
-        banks=_of(data, "banks", int, source, key, 0),
-        driven=_of(data, "driven", int, source, key, 0),
+        rails=_count(data, "rails", source, key),
+        banks=_count(data, "banks", source, key),
+        driven=_count(data, "driven", source, key),
         clear=_of(data, "clear", bool, source, key, False),
         via=tuple(map(str, _of(data, "via", list, source, key, []))),
         rest=tuple(_rest(entry, f"{key}rest", source) for entry in _of(data, "rest", list, source, key, [])),
         respot=_of(data, "respot", bool, source, key, False),
     )
+    pockets = [pocket.name for pocket in table.geometry.pockets]
+    if step.pocket and step.pocket not in pockets:
+        raise InputError(source, key + "pocket", step.pocket, suggest(step.pocket, pockets))
+    cushions = sorted({element.name for element in table.elements if element.kind == "ball_cushion"})
+    for name in step.via:
+        if name not in cushions:
+            raise InputError(source, key + "via", name, suggest(name, cushions))
+    return step
+
+
+def _layout(text: str, table: Table, key: str, source: str) -> Layout | None:
+    """The position of a step on the drill's table; None where it has none of its own."""
+    if not text:
+        return None
+    position = read(text, source)
+    if position.table not in ("", table.source):
+        raise InputError(source, key + "position", text, f"allowed is the table of the drill, {table.source}")
+    try:
+        return table.settle(position.layout)
+    except InputError as error:
+        raise InputError(source, key + "position", text, str(error)) from None
+
+
+def _check_balls(steps: Sequence[Step], first: Layout, table: Table, source: str) -> None:
+    """Raises InputError for a position without a cue ball, and for balls that a drill never has."""
+    layouts = [first, *(step.layout for step in steps if step.layout is not None)]
+    for layout in layouts:
+        if table.furniture.cue not in layout:
+            raise InputError(source, "position", ", ".join(layout), f"there has to be the {table.furniture.cue} ball")
+    balls = {ball for layout in layouts for ball in layout}
+    named = {ANY, *balls, *table.furniture.groups}
+    for i, step in enumerate(steps):
+        asked = [("pot", step.pot), ("first", step.first), *(("hits", ball) for ball in step.hits)]
+        for key, ball in [*asked, *(("rest", rest.ball) for rest in step.rest)]:
+            if ball and ball not in (balls if key == "rest" else named):
+                raise InputError(source, f"steps[{i}].{key}", ball, suggest(ball, balls if key == "rest" else named))
+
+
+def _count(data: Mapping[str, Any], key: str, source: str, prefix: str, least: int = 0) -> int:
+    """A number of balls or cushions; it is `least` where it is not said."""
+    value: int = _of(data, key, int, source, prefix, least)
+    if value < least:
+        raise InputError(source, prefix + key, value, f"allowed is {least} or more")
+    return value
 
 
 def _rest(data: Any, key: str, source: str) -> Rest:
@@ -135,10 +182,12 @@ def _rest(data: Any, key: str, source: str) -> Rest:
             pair = data[name]
             if not (isinstance(pair, list) and len(pair) == 2 and all(type(one) in (int, float) for one in pair)):
                 raise InputError(source, f"{key}.{name}", pair, "allowed are two numbers, m")
+            if name != "at" and not pair[0] <= pair[1]:
+                raise InputError(source, f"{key}.{name}", pair, "allowed are a number and one that is not less, m")
             pairs[name] = (float(pair[0]), float(pair[1]))
     within = data.get("within", math.inf)
-    if type(within) not in (int, float):
-        raise InputError(source, f"{key}.within", within, "allowed is a number, m")
+    if type(within) not in (int, float) or not within > 0.0:
+        raise InputError(source, f"{key}.within", within, "allowed is a number above 0, m")
     return Rest(_of(data, "ball", str, source, key + ".", "cue"), within=float(within), **pairs)
 
 

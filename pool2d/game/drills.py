@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from ..physics.rollout import Rollout
 from ..physics.values import POCKETED, Layout, Shot
-from ..position import Position
 from ..table import Table
 from .report import BALL, POCKET, RAIL, Report
 from .rules.spotting import nearest, put
@@ -44,9 +43,9 @@ class Rest:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """What one stroke has to do; `drill_file` says what each entry means."""
+    """What one stroke has to do, from a `layout` of its own or as the balls lie; `drill_file` tells each entry."""
 
-    position: Position | None = None
+    layout: Layout | None = None
     pot: str = ""
     least: int = 1
     pocket: str = ""
@@ -157,8 +156,8 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
         return Standing(layout, done, over=True)
     if step.respot:
         layout = _spotted(drill.table, layout, report.potted)
-    after = drill.steps[done].position
-    return Standing(layout if after is None else drill.table.settle(after.layout), done)
+    after = drill.steps[done].layout
+    return Standing(layout if after is None else after, done)
 
 
 def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:

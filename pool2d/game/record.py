@@ -30,7 +30,7 @@ from .setup import Setup, setup_of
 
 FORMAT = 1
 FOLDER, ENDING = "matches", ".jsonl"
-UNDO, REDO, LEAVE = "undo", "redo", "leave"
+UNDO, REDO = "undo", "redo"
 _LARGEST = 64 << 20
 _SEAL = re.compile(rb',"sum":"([0-9a-f]{16})"}')
 _SEALED = len(b',"sum":"0123456789abcdef"}')
@@ -71,8 +71,8 @@ class Record:
 
     @property
     def over(self) -> bool:
-        """Whether the match has been won or was left for good."""
-        return bool(self.entries) and ("over" in self.entries[-1].data or self.entries[-1].data["do"] == LEAVE)
+        """Whether the match has been won."""
+        return bool(self.entries) and "over" in self.entries[-1].data
 
     @property
     def frames(self) -> tuple[int, ...]:
@@ -218,7 +218,7 @@ def replayed(record: Record) -> Iterator[tuple[Entry, Match]]:
 def _redo(match: Match, entry: Entry, source: str) -> None:
     """Do to a match what an entry says; raises InputError."""
     do = entry.data["do"]
-    if do not in (UNDO, REDO, LEAVE):
+    if do not in (UNDO, REDO):
         match.play(from_dict(entry.data, source))
     elif (do == UNDO and not match.undo()) or (do == REDO and not match.redo()):
         raise InputError(source, "do", do, "there is nothing to go to")
@@ -241,7 +241,7 @@ def _diverges(match: Match, record: Record) -> Divergence | None:
             _redo(match, entry, str(record.path))
         except (InputError, BudgetError) as error:
             return Divergence(entry.line, f"{entry.data['do']} is refused: {error}")
-        now = body_of(match, entry.data["do"] if entry.data["do"] in (UNDO, REDO, LEAVE) else "")
+        now = body_of(match, entry.data["do"] if entry.data["do"] in (UNDO, REDO) else "")
         for key, what in (("digest", "the shot does not roll"), ("state", "the game does not stand")):
             if now.get(key) != entry.data.get(key):
                 return Divergence(entry.line, f"{what} as recorded after this {entry.data['do']}")

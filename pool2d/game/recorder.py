@@ -11,7 +11,7 @@ from pathlib import Path
 from ..errors import InputError
 from .actions import Action
 from .match import Match, Moment
-from .record import ENDING, LEAVE, REDO, UNDO, body_of, header, load, matches_folder, restored, seal
+from .record import ENDING, REDO, UNDO, body_of, header, load, matches_folder, restored, seal
 
 
 class Recorder:
@@ -29,6 +29,11 @@ class Recorder:
         self._lines = lines
         self._sum = total
 
+    @property
+    def begun(self) -> bool:
+        """Whether any action is on the record."""
+        return self._lines > 1
+
     def play(self, action: Action) -> Moment:
         """Carry out an action and write it; raises as `Match.play`, nothing being written then."""
         moment = self.match.play(action)
@@ -42,10 +47,6 @@ class Recorder:
     def redo(self) -> bool:
         """`Match.redo`, written."""
         return self._did(REDO, self.match.redo())
-
-    def leave(self) -> None:
-        """Write that the match will not be gone on with: it is no longer offered."""
-        self._did(LEAVE, True)
 
     def close(self) -> None:
         """Let go of the file. The record is whole at any time; nothing is left to be written."""
@@ -124,19 +125,22 @@ def resume(path: Path) -> Recorder:
     return Recorder(match, path, file, len(kept.entries) + 1, kept.sum)
 
 
-def unfinished(most: int = 50) -> list[Path]:
-    """Which of the player's latest records can be gone on with, the latest first; none that is damaged."""
-    return [path for path in _by_age()[:most] if _can_go_on(path)]
-
-
-def latest() -> Path | None:
-    """The record of the match that was played last, damaged or not; None where there is none."""
-    return next(iter(_by_age()), None)
-
-
-def _by_age() -> list[Path]:
-    """The player's records, the latest first."""
+def records() -> list[Path]:
+    """The player's records, those played last first, damaged or not."""
     return sorted(matches_folder().glob("*" + ENDING), key=_age)
+
+
+def unfinished(most: int = 50) -> list[Path]:
+    """Which of the player's latest records can be continued, the latest first; none that is damaged."""
+    return [path for path in records()[:most] if _can_go_on(path)]
+
+
+def remove(path: Path) -> None:
+    """Throw a record away; raises InputError where that cannot be."""
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise InputError(str(path), "", None, f"cannot be removed: {error.strerror}") from error
 
 
 def _age(path: Path) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..errors import InputError
-from .record import LEAVE, REDO, UNDO, Entry, Record, Take, strokes
+from .record import REDO, UNDO, Entry, Record, Take, strokes
 
 
 class Reel:
@@ -68,7 +68,7 @@ def undone(entries: tuple[Entry, ...]) -> frozenset[int]:
         elif do == REDO and back:
             done.append(back.pop())
             gone.discard(done[-1].line)
-        elif do not in (UNDO, REDO, LEAVE):
+        elif do not in (UNDO, REDO):
             done.append(entry)
             back.clear()
     return frozenset(entry.line for entry in entries if entry.line in gone and entry.data["do"] == "stroke")

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from ..errors import InputError
 from ..physics.rollout import Rollout
 from ..physics.values import Ball, Layout, Shot
 from ..table import Table
-from .actions import Action, Arrange, Concede, NextFrame, Stroke
+from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from .match import Match, Moment
-from .recorder import Recorder, record
+from .recorder import Recorder, record, remove
 from .report import Call
 from .rules import PLACE, Ask, Choice, Ruling
 from .rules.spotting import may_place
@@ -127,6 +129,10 @@ class Session:
         """A player gives the frame up."""
         self._do(Concede(player))
 
+    def stalemate(self) -> None:
+        """The players agree that the frame gets nowhere, and begin it again."""
+        self._do(Stalemate())
+
     def next_frame(self) -> None:
         """Rack for the next frame; raises InputError before this one is over."""
         self._do(NextFrame())
@@ -167,9 +173,12 @@ class Session:
         self.match.change_table(table)
 
     def leave(self) -> None:
-        """Let go of the record; the match can be gone on with."""
+        """Let go of the record; the match can be continued. One that nobody began leaves none."""
         if self.recorder is not None:
             self.recorder.close()
+            if not self.recorder.begun:
+                with suppress(InputError):
+                    remove(self.recorder.path)
 
     def _do(self, action: Action) -> Moment:
         return (self.recorder or self.match).play(action)

@@ -14,7 +14,7 @@ from ..settings import GUIDES, Store
 from ..table import Table
 from . import text, words
 from .dialog import Dialog, ground
-from .drill_scene import open_drills
+from .drill_shelf import DrillShelf
 from .effects import effects_of, style_of
 from .keys import KEYS, action_of
 from .lobby import Lobby
@@ -168,7 +168,7 @@ class App:
             self.scene = Options(self.scene, self.store)
         elif action == "drills" and isinstance(self.scene, Play):
             self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
-            self.scene = open_drills(self.scene, self.play)
+            self.scene = DrillShelf(self.scene, self.play)
         else:
             return False
         return True

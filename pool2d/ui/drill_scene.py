@@ -1,4 +1,4 @@
-"""Drills on the screen: the shelf of them, and a table on which one is played and judged."""
+"""A drill on the screen: a table on which it is played and judged."""
 
 from __future__ import annotations
 
@@ -13,64 +13,14 @@ from ..game.drills import Drill, Rest, judge, start
 from ..physics.simulate import simulate
 from . import pen, rulings, stroke, theme
 from .aim import Aim
-from .dialog import Dialog
-from .entry import Entry
 from .keys import KEYS
 from .play import Play
 from .playback import Playback
 from .scene import Scene
-from .widgets import Button, Heading, Widget
 from .words import say
 
 # How strongly an area of the cloth is marked, of 255.
 _TINT = 42
-
-
-def open_drills(below: Scene, play: Play) -> Scene:
-    """The shelf of drills over a scene, to which a drill goes back; it looks and sounds as `play` does."""
-    return Drills(below, play)
-
-
-class Drills(Dialog):
-    """Every drill with its goal and the best result; choosing one goes to its table."""
-
-    width = 76
-
-    def __init__(self, below: Scene, play: Play) -> None:
-        super().__init__(below, "", [])
-        self.play = play
-        self.chosen: DrillPlay | None = None
-        entries: list[Widget] = [self._entry(name) for name in drills()]
-        self.form.set_rows(
-            [
-                [Heading(lambda: say("drill.title"), theme.TEXT, large=True)],
-                [Heading(lambda: say("drill.intro"))],
-                *([entry] for entry in entries),
-                [Button(say("form.close"), self._close)],
-            ]
-        )
-
-    def handle(self, event: pygame.event.Event) -> Scene | None:
-        scene = super().handle(event)
-        return self.chosen or scene
-
-    def _entry(self, name: str) -> Widget:
-        try:
-            drill = load(name)
-        except InputError as error:
-            told = str(error)
-            return Heading(lambda: told, theme.WARNING, lines=2)
-        record = best(drill.id)
-        note = "" if record is None else say("drill.best", best=record, most=drill.most)
-
-        def do() -> None:
-            home = self.below.home if isinstance(self.below, DrillPlay) else self.below
-            self.chosen = DrillPlay(drill, home, self.play)
-
-        return Entry(title(drill), do, note, task(drill))
-
-    def _close(self) -> None:
-        self.done = True
 
 
 class DrillPlay(Play):

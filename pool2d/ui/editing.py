@@ -1,4 +1,4 @@
-"""Arranging the table between shots: any ball by mouse and keyboard, and whole positions by keys.
+"""Arranging the table between shots: any ball by mouse and keyboard.
 
 In practice every ball may be moved, added and taken off; in a match only the cue ball in hand, within what the
 rules allow. The left button is for aiming, so with it only the cue ball is picked up, which one does not aim at.
@@ -14,13 +14,8 @@ from typing import TYPE_CHECKING
 import pygame
 
 from ..errors import InputError
-from ..game import arranging, shelf
-from ..physics.values import Ball, Layout, Shot
-from ..placing import mirrored
-from ..position import Position, read, write
-from ..scenario import Scenario, scenario_of
-from . import clipboard, shelf_dialog
-from .aim import Aim
+from ..game import arranging
+from ..physics.values import Ball
 from .keys import KEYS
 from .telling import ball_name
 from .words import say
@@ -57,13 +52,6 @@ class Editing:
             "next_ball": self.next_ball,
             "add_ball": self.add,
             "remove_ball": self.remove,
-            "same_shot": self.same_shot,
-            "mirror": self.mirror,
-            "mirror_ends": lambda: self.mirror(ends=True),
-            "copy": self.copy,
-            "paste": self.paste,
-            "save_position": self.save,
-            "open_position": self.open,
         }
 
     # By mouse.
@@ -150,7 +138,7 @@ class Editing:
     def add(self) -> None:
         """Take in hand the lowest ball that is missing; the one after it where such a one is held already."""
         play, session = self.play, self.play.session
-        if not self._allowed():
+        if not self.play.practising():
             return
         balls = arranging.missing(session.table, session.layout)
         if not balls:
@@ -172,7 +160,7 @@ class Editing:
         ball = self.play.in_hand.ball
         if not ball:
             self._tell(lambda: say("edit.hold_first", key=KEYS.shown("next_ball")))
-        elif self._allowed():
+        elif self.play.practising():
             self._take_off(ball)
 
     def place(self) -> bool:
@@ -189,124 +177,7 @@ class Editing:
             play.tell("")
         return placed
 
-    # Positions.
-
-    def same_shot(self) -> None:
-        """Put the balls back as they were before the last stroke, and aim it again."""
-        last = arranging.latest(self.play.session)
-        if last is None:
-            self._tell(lambda: say("play.no_shot"))
-        elif self._allowed() and self._arrange(*last):
-            self._tell(lambda: say("edit.same_shot", key=KEYS.shown("strike")))
-
-    def mirror(self, ends: bool = False) -> None:
-        """Change over the sides of the table, or its ends, and the aim with them."""
-        session = self.play.session
-        if not self._allowed():
-            return
-        aimed = arranging.mirrored_shot(self.play.hands.aim.shot(session.cue.id), ends)
-        try:
-            layout = mirrored(session.table, session.layout, ends)
-        except InputError as error:
-            self.play.tell(str(error))
-            return
-        if self._arrange(layout, aimed):
-            self._tell(lambda: say("edit.mirrored_ends") if ends else say("edit.mirrored"))
-
-    def copy(self) -> None:
-        """Copy the position, with what is aimed, as a line of text."""
-        session = self.play.session
-        text = write(session.layout, self.play.hands.aim.shot(session.cue.id), session.table)
-        copied = clipboard.put(text)
-        self._tell(lambda: say("edit.copied") if copied else say("edit.no_clipboard"))
-
-    def paste(self) -> None:
-        """Set up the position that has been copied."""
-        text = clipboard.get()
-        if text is None:
-            self._tell(lambda: say("edit.no_clipboard"))
-        elif not text.strip():
-            self._tell(lambda: say("edit.nothing_copied"))
-        elif self._allowed():
-            try:
-                scenario = scenario_of(self._here(read(text, say("edit.clipboard"))))
-            except InputError as error:
-                self.play.tell(str(error))
-                return
-            if self.load(scenario):
-                self._tell(lambda: say("edit.pasted"))
-
-    def save(self) -> None:
-        """Ask for a name to keep the position by."""
-        session = self.play.session
-        shot = self.play.hands.aim.shot(session.cue.id)
-
-        def keep(name: str) -> None:
-            path = shelf.save(name, session.table, session.layout, shot)
-            self._tell(lambda: say("play.saved", path=path))
-
-        self.play.go_to(shelf_dialog.ask_for_name(self.play, keep))
-
-    def open(self) -> None:
-        """Choose one of the positions that are kept."""
-        if self._allowed():
-            self.play.go_to(shelf_dialog.Positions(self.play, self._open))
-
-    def load(self, scenario: Scenario) -> bool:
-        """Set up a scenario, on its own table; False, and nothing is changed, where it is no position to play."""
-        play, table = self.play, scenario.table
-        here = play.session.table
-        if (table.source, table.conditions, table.set) != (here.source, here.conditions, here.set):
-            try:
-                play.take_table(table, scenario.layout)
-            except InputError as error:
-                play.tell(str(error))
-                return False
-            return self._aim(scenario.shot)
-        return self._arrange(scenario.layout, scenario.shot)
-
-    def _open(self, name: str) -> str:
-        """Set up a position by name; returns what is wrong with it, or nothing."""
-        try:
-            scenario = shelf.load(name)
-        except InputError as error:
-            return str(error)
-        if not self.load(scenario):
-            return self.play.message
-        self._tell(lambda: say("edit.opened", name=name))
-        return ""
-
-    def _here(self, position: Position) -> Position:
-        """A position that names no table, on the one that is played on; one of a shot alone, with its balls."""
-        session = self.play.session
-        if position.table:
-            return position
-        return Position(
-            position.layout or session.layout,
-            position.shot,
-            session.table.source,
-            (*session.table.conditions, *position.conditions),
-            {**session.table.set, **position.set},
-        )
-
     # What all of them do.
-
-    def _arrange(self, layout: Layout, shot: Shot | None) -> bool:
-        """Put the balls so and aim so; False, and nothing is changed, where they cannot stand."""
-        try:
-            self.play.session.arrange(layout)
-        except InputError as error:
-            self.play.tell(str(error))
-            return False
-        self.play.drop()
-        return self._aim(shot)
-
-    def _aim(self, shot: Shot | None) -> bool:
-        hands = self.play.hands
-        if shot is not None:
-            hands.aim = Aim.of(shot)
-        hands.hold = hands.pointer
-        return True
 
     def _hold(self, ball: str, at: tuple[float, float] | None = None) -> None:
         play = self.play
@@ -323,19 +194,13 @@ class Editing:
     def _take_off(self, ball: str) -> None:
         session = self.play.session
         name = ball_name(ball, session.table.furniture.cue)
-        if ball in session.layout and self._arrange(session.layout.without(ball), None):
+        if ball in session.layout and self.play.arrange(session.layout.without(ball)):
             self._tell(lambda: say("edit.taken_off", ball=name, undo=KEYS.shown("undo")))
         self.let_go()
 
     def _may_move(self, ball: str) -> bool:
         session = self.play.session
         return session.free or (session.movable and ball == session.cue.id)
-
-    def _allowed(self) -> bool:
-        """Whether this is practice; where it is not, that is told."""
-        if not self.play.session.free:
-            self._tell(lambda: say("play.practice_only"))
-        return self.play.session.free
 
     def _tell(self, told: Callable[[], str]) -> None:
         self.play.told = told

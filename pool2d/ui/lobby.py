@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import random
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 from ..errors import InputError
 from ..game.record import load
-from ..game.recorder import latest, resume, unfinished
+from ..game.recorder import records, resume, unfinished
 from ..game.session import PRACTICE, Session, practice, recorded
 from ..settings import Store
 from .dialog import Confirm
-from .drill_scene import open_drills
+from .drill_shelf import DrillShelf
 from .ended import FrameOver, MatchOver
 from .help import Help
 from .menu import Banner, Menu, Way, pause_menu
 from .new_match import NewMatch
 from .options import Options
-from .pick import Pick
 from .play import Play
-from .replays import open_replays
+from .replays import RecordShelf, about, open_replays
 from .rulings import title
 from .scene import Scene
 from .words import say
@@ -51,7 +49,7 @@ class Lobby:
             *self._going_on(lambda: menu),
             Way(lambda: say("menu.new"), lambda: self._new_match(menu)),
             Way(lambda: title(PRACTICE), lambda: self.play),
-            Way(lambda: say("drill.title"), lambda: open_drills(menu, self.play)),
+            Way(lambda: say("drill.title"), lambda: DrillShelf(menu, self.play)),
             Way(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds)),
             *self._always(lambda: menu),
         ]
@@ -65,6 +63,7 @@ class Lobby:
         entries = [Way(lambda: say("pause.resume"), lambda: self.play)]
         if not self.play.session.free:
             entries.append(Way(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
+            entries.append(Way(lambda: say("pause.stalemate"), lambda: self._ask_to_begin_again(menu)))
         entries += self._always(lambda: menu)
         entries.insert(-1, Way(lambda: say("pause.leave"), self.leave))
         menu = pause_menu(self.play, entries)
@@ -85,7 +84,7 @@ class Lobby:
         return self.ended() or self.play
 
     def leave(self) -> Scene:
-        """Go to the menu; a match that is left can be gone on with."""
+        """Go to the menu; a match that is left can be continued."""
         if not self.play.session.free:
             self.play.begin(practice(self.play.session.table, _seed()))
         return self.menu()
@@ -118,23 +117,16 @@ class Lobby:
             return []
         ways = [Way(lambda: say("menu.continue"), lambda: self._resume(paths[0]), details) for details in told]
         if len(paths) > 1:
-            ways.append(Way(lambda: say("menu.others"), lambda: self._others(here(), paths)))
+            ways.append(Way(lambda: say("menu.others"), lambda: self._others(here())))
         return ways
 
-    def _others(self, menu: Scene, paths: Sequence[Path]) -> Scene:
-        """The matches that can be gone on with, to choose one of."""
-
-        def take(at: int) -> Scene | str:
-            try:
-                return self._taken_up(paths[at])
-            except InputError as error:
-                return str(error)
-
-        return Pick(menu, say("menu.others"), [path.stem for path in paths], 0, say("menu.continue"), take)
+    def _others(self, menu: Scene) -> Scene:
+        """The matches that can be continued, to choose one of."""
+        return RecordShelf(menu, lambda: say("menu.others"), unfinished, self._taken_up)
 
     def _look_at_latest(self) -> None:
-        """Tell once where the record of the match played last is damaged, as it cannot be gone on with."""
-        path = latest()
+        """Tell once where the record of the match played last is damaged, as it cannot be continued."""
+        path = next(iter(records()), None)
         if path is None or path == self._damaged:
             return
         try:
@@ -168,6 +160,17 @@ class Lobby:
 
         return Confirm(menu, say("pause.concedes", name=name), say("pause.concede"), concede)
 
+    def _ask_to_begin_again(self, menu: Scene) -> Scene:
+        session = self.play.session
+
+        def begin_again() -> Scene:
+            session.stalemate()
+            self.play.drop()
+            self.play.told = lambda: self.play.referee.verdict(session)
+            return self.play
+
+        return Confirm(menu, say("pause.stalemates"), say("pause.stalemate"), begin_again)
+
     def _next_frame(self) -> Scene:
         self.play.session.next_frame()
         return self.play
@@ -186,9 +189,6 @@ def _seed() -> int:
 
 
 def _told(path: Path) -> Callable[[], tuple[str, str]]:
-    """What a record says of its match: the players with the score, the game and when it was played last."""
-    record = load(path, torn=True)
-    when = time.strftime("%Y-%m-%d %H:%M", time.localtime(path.stat().st_mtime))
-    score = f" {record.frames[0]} : {record.frames[1]} " if record.frames else " \N{EN DASH} "
-    players = score.join(record.setup.names)
-    return lambda: (players, f"{title(record.setup.game)}   \N{MIDDLE DOT}   {when}")
+    """What the menu says of a match that can be continued."""
+    players, game, when = about(path)
+    return lambda: (players, f"{title(game)}   \N{MIDDLE DOT}   {when}")

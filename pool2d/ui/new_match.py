@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from ..errors import InputError
 from ..game.rules import GAMES, games_for
@@ -88,6 +88,10 @@ class NewMatch(Dialog):
 
     def _lay_out(self) -> None:
         options = self._option_widgets()
+        breaks = Choice(
+            say("match.breaks"), lambda: BREAKS, lambda: self.breaks, self._take_breaks, "",
+            lambda name: say(f"match.breaks_by.{name}"),
+        )  # fmt: skip
         self.form.set_rows(
             [
                 [Heading(lambda: say("match.title"), theme.TEXT, large=True)],
@@ -96,23 +100,15 @@ class NewMatch(Dialog):
                 [Choice(say("match.game"), lambda: self.games, lambda: self.game, self._take_game, shown=_game)],
                 [Gap(0.2)],
                 [*self.fields],
-                [self._turning("race", say("match.race"), _RACES, str, say("match.race_hint"))],
-                [self._turning("breaker", say("match.breaker"), self._breakers(), self._who)],
-                [self._turning("breaks", say("match.breaks"), BREAKS, lambda name: say(f"match.breaks_by.{name}"))],
+                [Choice(say("match.race"), lambda: _RACES, lambda: self.race, self._take_race, say("match.race_hint"))],
+                [Choice(say("match.breaker"), self._breakers, lambda: self.breaker, self._take_breaker, "", self._who)],
+                [breaks if self.race != "1" else Gap(breaks.rows)],
                 [Gap(0.2)],
                 *([widget] for widget in options),
                 [Gap(max(0.2, _TALL - sum(widget.rows for widget in options)))],
                 [Heading(lambda: self.wrong, theme.WARNING, lines=2)],
                 [Button(say("form.cancel"), self._cancel), Button(say("match.start"), self.start, strong=True)],
             ]
-        )
-
-    def _turning(
-        self, name: str, label: str, options: Sequence[str], shown: Callable[[str], str], hint: str = ""
-    ) -> Choice:
-        """A choice that turns an attribute of this dialog."""
-        return Choice(
-            label, lambda: options, lambda: getattr(self, name), lambda to: setattr(self, name, to), hint, shown
         )
 
     def _option_widgets(self) -> list[Widget]:
@@ -152,6 +148,16 @@ class NewMatch(Dialog):
         if self.breaker not in self._breakers():
             self.breaker = str(COIN)
         self._lay_out()
+
+    def _take_race(self, race: str) -> None:
+        self.race = race
+        self._lay_out()
+
+    def _take_breaker(self, breaker: str) -> None:
+        self.breaker = breaker
+
+    def _take_breaks(self, breaks: str) -> None:
+        self.breaks = breaks
 
     def _loaded(self) -> Table | None:
         """The chosen table; None, and what is wrong with it told, where it cannot be loaded."""

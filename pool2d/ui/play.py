@@ -16,6 +16,7 @@ from .editing import Editing
 from .help import Help
 from .keys import action_of, fine_step
 from .playback import Playback
+from .positions import Positions
 from .saving import ask_to_save
 from .scene import Scene
 from .sitting import Sitting
@@ -32,6 +33,7 @@ class Play(Sitting):
     def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
         super().__init__(session, sounds)
         self.editing = Editing(self)
+        self.positions = Positions(self)
         self.geometry = False
         self.vectors = False
         # What opens where Esc finds nothing to put away.
@@ -40,6 +42,7 @@ class Play(Sitting):
             **self.hands.keys,
             **self.stage.camera.keys,
             **self.editing.keys,
+            **self.positions.keys,
             "strike": self._enter,
             "guide": self._next_guide,
             "fast": lambda: self._fast_forward(True),
@@ -213,9 +216,9 @@ class Play(Sitting):
         play_art.draw(surface, self)
 
     def _tune(self) -> None:
-        if not self.session.free:
-            self.told = lambda: say("play.practice_only")
-        elif self.tuning is None:
+        if not self.practising():
+            return
+        if self.tuning is None:
             aimed = self.hands.aim.shot(self.session.cue.id)
             self.tuning = Tuning(self.session, aimed, self._ask_name, self.open_table)
         else:

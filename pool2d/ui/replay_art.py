@@ -10,11 +10,12 @@ from ..game.actions import Stroke
 from ..game.match import Moment
 from ..game.record import Take
 from ..game.reel import Reel
+from ..game.report import Call
 from . import pen, play_art, rulings, shapes, text, theme, vectors
 from .debug import ScreenPen, draw_geometry
 from .effects import effects_of
 from .hud import Screen
-from .telling import place_name
+from .telling import ball_name, place_name
 from .widgets import plate
 from .words import say
 
@@ -138,11 +139,13 @@ def line(reel: Reel, take: Take) -> str:
 
 def called(take: Take) -> str:
     """What the player said before the shot; empty where nothing was."""
-    call = take.moment.action.call if isinstance(take.moment.action, Stroke) else None
-    if call is None or not (call.ball or call.pocket or call.safety or call.push):
+    stroke = take.moment.action
+    if not isinstance(stroke, Stroke) or stroke.call == Call():
         return ""
+    call = stroke.call
+    ball = ball_name(call.ball, stroke.shot.ball) if call.ball else ""
     pocket = place_name(call.pocket) if call.pocket else ""
-    what = [call.ball, pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
+    what = [ball, pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
     name = take.match.names[take.moment.shooter]
     return say("replay.calls", player=name, what=", ".join(filter(None, what)))
 

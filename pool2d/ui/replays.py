@@ -1,34 +1,73 @@
-"""The player's records, to look at one."""
+"""The player's records: all of them, to look at, or those that can be continued."""
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from ..errors import InputError
-from ..game.record import ENDING, load, matches_folder
+from ..game.record import load
+from ..game.recorder import records, remove
 from ..game.reel import Reel
 from ..settings import Store
-from .pick import Pick
+from .entry import Entry
 from .replay_scene import Replay
+from .rulings import title
 from .scene import Scene
+from .shelf import Shelf
 from .sound import Sounds
+from .widgets import Widget
 from .words import say
 
 
 def open_replays(below: Scene, store: Store | None = None, sounds: Sounds | None = None) -> Scene:
-    """A list of the player's records, the latest first, to look at one; Esc goes back to `below`."""
-    paths = records()
+    """The player's records, the latest first, to look at one; Esc goes back to `below`."""
 
-    def take(at: int) -> Scene | str:
+    def watch(path: Path) -> Scene:
+        return Replay(Reel(load(path, torn=True)), below, store, sounds)
+
+    return RecordShelf(below, lambda: say("replay.title") if records() else say("replay.none"), records, watch)
+
+
+class RecordShelf(Shelf):
+    """Records, which may be damaged; `open` leads on from one, and may raise InputError."""
+
+    def __init__(
+        self, below: Scene, named: Callable[[], str], paths: Callable[[], Sequence[Path]],
+        open: Callable[[Path], Scene],
+    ) -> None:  # fmt: skip
+        self.named = named
+        self.paths = paths
+        self.open = open
+        super().__init__(below)
+
+    @property
+    def heading(self) -> str:
+        return self.named()
+
+    def entries(self) -> Sequence[Widget]:
+        return [self._entry(path) for path in self.paths()]
+
+    def _entry(self, path: Path) -> Widget:
+        do, throw = self.telling(partial(self._open, path)), self.telling(partial(remove, path))
         try:
-            return Replay(Reel(load(paths[at], torn=True)), below, store, sounds)
-        except InputError as error:
-            return str(error)
+            players, game, when = about(path)
+        except (InputError, OSError) as error:
+            return Entry(path.stem, do, below=str(error), remove=throw)
+        return Entry(players, do, note=title(game), below=when, remove=throw)
 
-    title = say("replay.title") if paths else say("replay.none")
-    return Pick(below, title, [path.stem for path in paths], 0, say("replay.show"), take)
+    def _open(self, path: Path) -> None:
+        self.go(self.open(path))
 
 
-def records() -> list[Path]:
-    """The player's records, the latest first: their names begin with the time."""
-    return sorted(matches_folder().glob("*" + ENDING), key=lambda path: path.name, reverse=True)
+def about(path: Path) -> tuple[str, str, str]:
+    """What a record says of its match: the players with the score, the game's name, and when it was played last.
+
+    Raises InputError where it is damaged, and OSError where it has gone.
+    """
+    record = load(path, torn=True)
+    when = time.strftime("%Y-%m-%d %H:%M", time.localtime(path.stat().st_mtime))
+    score = f" {record.frames[0]} : {record.frames[1]} " if record.frames else " \N{EN DASH} "
+    return score.join(record.setup.names), record.setup.game, when

@@ -24,4 +24,4 @@ def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> As
         saved(path)
         return ""
 
-    return Ask(below, say("saving.title"), say("saving.name"), f"{say('saving.my')}-{table.source}", save)
+    return Ask(below, say("saving.title"), say("saving.name"), f"{say('saving.my')}-{Path(table.source).stem}", save)

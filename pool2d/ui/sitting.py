@@ -13,6 +13,7 @@ from ..physics.values import Layout, Shot
 from ..preset import load_table
 from ..table import Table
 from . import guide, stroke, telling
+from .aim import Aim
 from .effects import Effects
 from .hands import Hands
 from .in_hand import InHand
@@ -154,8 +155,7 @@ class Sitting:
         self._next = self.ended()
 
     def _rack(self) -> None:
-        if not self.session.free:
-            self.told = lambda: say("play.practice_only")
+        if not self.practising():
             return
         self.drop()
         self.session.rack(random.randrange(1 << 30))
@@ -181,6 +181,29 @@ class Sitting:
         if self.tuning is not None:
             self.tuning.refresh()
         self.told = lambda: say("play.file_changed")
+
+    def practising(self) -> bool:
+        """Whether this is practice; where it is not, that is told."""
+        if not self.session.free:
+            self.told = lambda: say("play.practice_only")
+        return self.session.free
+
+    def arrange(self, layout: Layout, shot: Shot | None = None) -> bool:
+        """Put the balls so, and aim so; False, and nothing is changed, where they cannot stand."""
+        try:
+            self.session.arrange(layout)
+        except InputError as error:
+            self.tell(str(error))
+            return False
+        self.drop()
+        self.aim_as(shot)
+        return True
+
+    def aim_as(self, shot: Shot | None) -> None:
+        """Aim a shot, or leave the aim as it is, until the pointer is moved."""
+        if shot is not None:
+            self.hands.aim = Aim.of(shot)
+        self.hands.hold = self.hands.pointer
 
     def drop(self) -> None:
         """Let go of whatever is under way."""

@@ -62,6 +62,7 @@ def test_who_is_foul_snookered_may_go_to_baulk() -> None:
     assert (fouled.ask.options, fouled.ask.call, len(fouled.ask.on)) == (("baulk",), "ball", 3)
     ruling = RULES.choose(fouled.state, fouled.layout, Choice("baulk"))
     assert (ruling.ask.kind, ruling.ask.where, ruling.ask.on, ruling.ask.call) == ("place", "kitchen", ("red1",), "")
+    assert ruling.notes[-1].key == "in-hand.baulk"
     assert ruling.state.visits == 2
 
 

@@ -11,7 +11,8 @@ import pytest
 from pool2d.game.drill_file import best, keep, load
 from pool2d.ui import words
 from pool2d.ui.aim import Aim
-from pool2d.ui.drill_scene import DrillPlay, Drills
+from pool2d.ui.drill_scene import DrillPlay
+from pool2d.ui.drill_shelf import DrillShelf
 from pool2d.ui.entry import Entry
 
 from .conftest import FRAME, Hand
@@ -28,7 +29,7 @@ def begin(hand: Hand, name: str) -> DrillPlay:
     """Open the shelf and choose a drill there, by clicking on it."""
     hand.key(pygame.K_F2)
     shelf = hand.app.scene
-    assert isinstance(shelf, Drills)
+    assert isinstance(shelf, DrillShelf)
     entry = next(one for one in shelf.form.widgets if isinstance(one, Entry) and one.label == load(name).name)
     shelf.form.focus = entry
     hand.key(pygame.K_RETURN)
@@ -56,7 +57,7 @@ def test_the_shelf_lists_every_drill_with_its_goal_and_the_best(hand: Hand) -> N
     keep("stop-shot", 7)
     hand.key(pygame.K_F2)
     shelf = hand.app.scene
-    assert isinstance(shelf, Drills)
+    assert isinstance(shelf, DrillShelf)
     entries = [one for one in shelf.form.widgets if isinstance(one, Entry)]
     assert len(entries) >= 20
     assert all(entry.below for entry in entries)
@@ -201,7 +202,7 @@ def test_a_damaged_drill_of_ones_own_is_told_on_the_shelf(hand: Hand, tmp_path: 
     (tmp_path / "drills" / "broken.toml").write_text("name = 3")
     hand.key(pygame.K_F2)
     shelf = hand.app.scene
-    assert isinstance(shelf, Drills)
+    assert isinstance(shelf, DrillShelf)
     assert len([one for one in shelf.form.widgets if isinstance(one, Entry)]) >= 20
 
 

@@ -15,7 +15,7 @@ from pool2d.game.setup import Setup
 from pool2d.physics.values import POCKETED
 from pool2d.position import read
 from pool2d.ui.dialog import Ask
-from pool2d.ui.shelf_dialog import Positions
+from pool2d.ui.position_shelf import PositionShelf
 
 from .conftest import Hand
 
@@ -305,7 +305,7 @@ def test_a_position_is_kept_by_name_opened_and_deleted(
     assert shelf.positions() == ["Position 1"]
     two.key(pygame.K_n)
     two.key(pygame.K_o, CTRL)
-    assert isinstance(shown(two), Positions)
+    assert isinstance(shown(two), PositionShelf)
     two.key(pygame.K_RETURN)
     assert shown(two) is two.play
     assert two.play.session.layout == Layout([CUE, ONE])
@@ -339,7 +339,7 @@ def test_a_damaged_position_is_told_in_the_list(two: Hand, tmp_path: Path, monke
     path.write_text('position = "nothing here"')
     two.key(pygame.K_o, CTRL)
     listed = two.app.scene
-    assert isinstance(listed, Positions)
+    assert isinstance(listed, PositionShelf)
     two.key(pygame.K_RETURN)
     assert two.app.scene is listed and "mine" in listed.wrong
     assert set(two.play.session.layout) == {"cue", "1"}

@@ -10,22 +10,22 @@ import pygame
 import pytest
 
 from pool2d import Shot, cli, load_table
-from pool2d.game.actions import NextFrame
+from pool2d.game.actions import NextFrame, Stalemate
 from pool2d.game.record import load, matches_folder
-from pool2d.game.recorder import unfinished
+from pool2d.game.recorder import records, unfinished
 from pool2d.game.session import Session, recorded
 from pool2d.game.setup import Setup
 from pool2d.ui import start, words
 from pool2d.ui.app import App
 from pool2d.ui.dialog import Confirm
-from pool2d.ui.drill_scene import Drills
+from pool2d.ui.drill_shelf import DrillShelf
 from pool2d.ui.ended import FrameOver
 from pool2d.ui.help import Help
 from pool2d.ui.menu import Menu
 from pool2d.ui.new_match import NewMatch
 from pool2d.ui.options import Options
-from pool2d.ui.pick import Pick
 from pool2d.ui.play import Play
+from pool2d.ui.replays import RecordShelf
 
 from .conftest import Hand
 
@@ -93,7 +93,7 @@ def test_the_menu_offers_what_there_is(guest: Hand) -> None:
 @pytest.mark.parametrize("by_mouse", [False, True])
 def test_every_entry_leads_on_and_esc_back(guest: Hand, by_mouse: bool) -> None:
     menu = guest.app.scene
-    for label, kind in (("New match", NewMatch), ("Drills", Drills), ("Options", Options), ("Help", Help)):
+    for label, kind in (("New match", NewMatch), ("Drills", DrillShelf), ("Options", Options), ("Help", Help)):
         choose(guest, label, by_mouse)
         assert shown(guest) is kind
         guest.key(pygame.K_ESCAPE)
@@ -178,7 +178,7 @@ def test_of_several_matches_that_were_left_any_is_gone_on_with() -> None:
     guest = Hand(app)
     assert labels(guest)[:2] == ["Continue", "Unfinished matches"]
     choose(guest, "Unfinished matches")
-    assert shown(guest) is Pick
+    assert shown(guest) is RecordShelf
     guest.key(pygame.K_ESCAPE)
     assert shown(guest) is Menu
     choose(guest, "Unfinished matches")
@@ -200,6 +200,30 @@ def test_a_damaged_record_is_told_once_where_it_is_the_latest() -> None:
     told = told_at_start()
     assert len(told) == 1 and told[0].startswith(str(noise))
     assert noise.read_text() == "noise\n"
+
+
+def test_a_match_that_nobody_began_leaves_no_record() -> None:
+    session = recorded(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
+    assert len(records()) == 1
+    session.leave()
+    assert records() == []
+
+
+def test_an_unfinished_match_is_thrown_away_when_asked_twice() -> None:
+    paths = [left_match(race) for race in (2, 3)]
+    for age, path in enumerate(paths):
+        os.utime(path, (10 - age, 10 - age))
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    choose(guest, "Unfinished matches")
+    guest.key(pygame.K_DELETE)
+    assert unfinished() == paths
+    guest.key(pygame.K_DELETE)
+    assert unfinished() == paths[1:] and not paths[0].exists()
+    assert shown(guest) is RecordShelf
+    guest.key(pygame.K_RETURN)
+    assert guest.play.session.match.setup.race == 3
+    app.close()
 
 
 def told_at_start() -> list[str]:
@@ -301,6 +325,21 @@ def test_to_concede_is_asked_first(hand: Hand) -> None:
     hand.key(pygame.K_TAB)
     hand.key(pygame.K_RETURN)
     assert shown(hand) is FrameOver and session.match.frames == (0, 1)
+
+
+def test_a_frame_that_gets_nowhere_is_begun_again_by_agreement(hand: Hand) -> None:
+    session = playing(hand)
+    start = session.layout
+    session.play(Shot(speed=8.0))
+    hand.key(pygame.K_ESCAPE)
+    choose(hand, "Start the frame again")
+    assert shown(hand) is Confirm
+    hand.key(pygame.K_TAB)
+    hand.key(pygame.K_RETURN)
+    assert shown(hand) is Play
+    assert isinstance(session.match.now.action, Stalemate)
+    assert session.strokes == 0 and set(session.layout) == set(start)
+    assert "Ann breaks" in hand.play.message
 
 
 def test_another_table_lets_go_of_the_record(hand: Hand) -> None:

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import pygame
 import pytest
 
-from pool2d import InputError
+from pool2d import InputError, load_table
 from pool2d.cli import main
 from pool2d.folders import data_folder
 from pool2d.game.actions import Stroke
+from pool2d.game.match import Match
 from pool2d.game.record import load
 from pool2d.game.recorder import record
 from pool2d.game.reel import Reel
+from pool2d.game.report import Call
+from pool2d.game.setup import Setup
 from pool2d.physics.values import Shot
 from pool2d.ui import replay_art, start
 from pool2d.ui.app import App
+from pool2d.ui.entry import Entry
 from pool2d.ui.pick import Pick
 from pool2d.ui.replay_scene import PAUSE, Replay
-from pool2d.ui.replays import open_replays
+from pool2d.ui.replays import RecordShelf, open_replays
 from tests.random_play import new_match
 
 from .conftest import FRAME, Hand
@@ -159,6 +164,15 @@ def test_what_came_of_a_shot_is_told_at_its_end(viewer: Viewer) -> None:
     assert "taken back" in replay_art.caption(viewer.replay)[0]
 
 
+def test_a_call_is_told_in_words(tmp_path: Path) -> None:
+    with record(Match(load_table("snooker-12ft"), Setup("snooker", breaker=0)), tmp_path / "s.jsonl") as recorder:
+        recorder.play(Stroke(Shot(0.0, 2.0), Call(ball="red7")))
+        recorder.play(Stroke(Shot(0.0, 2.0)))
+    first, second = Reel(load(recorder.path)).takes[0], Reel(load(recorder.path))[1]
+    assert replay_art.called(first) == "Player 1 calls red 7."
+    assert replay_art.called(second) == ""
+
+
 def test_the_score_is_the_one_of_the_moment(viewer: Viewer) -> None:
     take = viewer.replay.reel[0]
     assert [replay_art.standing(take, moment, 0) for moment in (take.before, take.moment)] == ["0", "0"]
@@ -194,11 +208,14 @@ def test_records_are_offered_the_latest_first_and_damage_is_told(hand: Hand) -> 
     folder = data_folder() / "matches"
     write(folder / "2001-02-03 nine-ball.jsonl")
     (folder / "2002-02-03 nine-ball.jsonl").write_text("no record\n")
-    hand.app.scene = pick = open_replays(hand.play, hand.app.store, hand.app.sounds)
-    assert isinstance(pick, Pick)
-    assert pick.names == ["2002-02-03 nine-ball", "2001-02-03 nine-ball"]
+    os.utime(folder / "2001-02-03 nine-ball.jsonl", (1, 1))
+    hand.app.scene = shelf = open_replays(hand.play, hand.app.store, hand.app.sounds)
+    assert isinstance(shelf, RecordShelf)
+    lines = [line for line in shelf.form.widgets if isinstance(line, Entry)]
+    assert "2002-02-03 nine-ball" in lines[0].label and "not a record" in lines[0].below
+    assert "Player 1" in lines[1].label and lines[1].note == "Nine-ball"
     hand.key(pygame.K_RETURN)
-    assert "not a record" in pick.wrong
+    assert "not a record" in shelf.wrong
     hand.key(pygame.K_DOWN)
     hand.key(pygame.K_RETURN)
     shown = hand.app.scene

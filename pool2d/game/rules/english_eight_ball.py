@@ -242,6 +242,10 @@ class EnglishEightBall(PoolRules[EnglishState]):
                 spotted.append((ball, place))
         return layout, tuple(spotted)
 
+    def next_note(self, state: EnglishState) -> Note:
+        note = super().next_note(state)
+        return replace(note, key="in-hand.baulk") if note.key == "in-hand.kitchen" else note
+
     def _places(self) -> Iterator[Point]:
         """Places all over baulk."""
         line, width = self.table.furniture.spots["head"][0], self.table.knobs.table.width

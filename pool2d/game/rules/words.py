@@ -35,6 +35,7 @@ ENGLISH: dict[str, str] = {
     "turn": "{player} to play",
     "in-hand.anywhere": "{player} has the cue ball in hand, anywhere",
     "in-hand.kitchen": "{player} has the cue ball in hand, behind the head string",
+    "in-hand.baulk": "{player} has the cue ball in hand, in baulk",
     "in-hand.d": "{player} has the cue ball in hand, in the D",
     "chooses": "{player} chooses",
     "spotted": "the {ball} is spotted",

@@ -1,0 +1,51 @@
+"""The shelf of drills."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from ..errors import InputError
+from ..game.drill_file import best, drills, load
+from ..game.drills import Drill
+from . import theme
+from .drill_scene import DrillPlay, task, title
+from .entry import Entry
+from .play import Play
+from .scene import Scene
+from .shelf import Shelf
+from .widgets import Heading, Widget
+from .words import say
+
+
+class DrillShelf(Shelf):
+    """Every drill with its goal and the best result; it is played on a table that looks and sounds as `play` does."""
+
+    def __init__(self, below: Scene, play: Play) -> None:
+        self.play = play
+        super().__init__(below)
+
+    @property
+    def heading(self) -> str:
+        return say("drill.title")
+
+    @property
+    def intro(self) -> str:
+        return say("drill.intro")
+
+    def entries(self) -> Sequence[Widget]:
+        return [self._entry(name) for name in drills()]
+
+    def _entry(self, name: str) -> Widget:
+        try:
+            drill = load(name)
+        except InputError as error:
+            told = str(error)
+            return Heading(lambda: told, theme.WARNING, lines=2)
+        record = best(drill.id)
+        note = "" if record is None else say("drill.best", best=record, most=drill.most)
+        return Entry(title(drill), partial(self._open, drill), note, task(drill))
+
+    def _open(self, drill: Drill) -> None:
+        home = self.below.home if isinstance(self.below, DrillPlay) else self.below
+        self.go(DrillPlay(drill, home, self.play))
