@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import random
+from itertools import pairwise
 
 import pytest
 
@@ -10,6 +12,8 @@ from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
 from pool2d.game.falls import DROP, ending, fallen, falling
 from pool2d.game.lying import Keeper, racked
 from pool2d.physics.turning import Quaternion, Turning, matrix, turn
+
+from .random_play import new_match, random_action
 
 TABLE = load_table("pool-9ft")
 POCKETS = TABLE.geometry.pockets
@@ -139,3 +143,22 @@ def test_balls_whose_fall_was_not_seen_are_down_too() -> None:
 def test_turns_compose() -> None:
     quarter = turn(0.0, 0.0, math.pi / 2.0)
     assert [row[0] for row in matrix(quarter)] == pytest.approx([0.0, 1.0, 0.0], abs=1e-12)
+
+
+def test_a_match_seen_from_its_record_lies_as_it_did_when_it_was_played() -> None:
+    match, rng = new_match("nine-ball", 5), random.Random(5)
+    while sum(moment.rollout is not None for moment in match.history) < 8 and not match.over:
+        match.play(random_action(match, rng))
+    live, late = Keeper(), Keeper()
+    last = None
+    for before, moment in pairwise(match.history):
+        if moment.rollout is not None:
+            live.follow(before, moment.rollout, last)
+            seen = live.lying(moment.rollout.layout(), moment.rollout)
+            late.follow(before, moment.rollout, last)
+            # Somebody looks at an earlier shot in between.
+            first = next(shot.rollout for shot in match.history if shot.rollout is not None)
+            late.lying(first.start, first)
+            assert late.lying(moment.rollout.layout(), moment.rollout) == seen
+            last = moment
+    assert seen.down

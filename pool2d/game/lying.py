@@ -10,7 +10,9 @@ from weakref import WeakKeyDictionary
 from ..physics.rollout import Rollout
 from ..physics.turning import Quaternion, Turning, product, turn
 from ..physics.values import POCKETED, Layout
+from .actions import Arrange, NextFrame, Stalemate
 from .falls import fallen
+from .match import Moment
 
 # How far the number of a racked ball is from the top, rad, at most and mostly; and how far it is askew.
 _TILT, _SKEW = 0.75, 1.1
@@ -49,6 +51,15 @@ class Keeper:
         pocketed = _pocketed(layout)
         down = [ball for ball in shot.before + fallen(rollout, t) if ball in pocketed]
         return Lying(shot.turning.lies(t), down)
+
+    def follow(self, before: Moment, rollout: Rollout, last: Moment | None) -> None:
+        """Let the balls of a stroke, played from the moment `before`, lie as the `last` stroke, if any, left them."""
+        if last is not None and last.rollout is not None:
+            self.lying(last.rollout.start, last.rollout)
+        racked = last is None or before.state.racks != last.state.racks
+        if racked or isinstance(before.action, NextFrame | Arrange | Stalemate):
+            self.lying(rollout.start)
+        self.lying(rollout.start, rollout)
 
     def turning(self, rollout: Rollout) -> Turning:
         """How the balls of a shot that has been shown turn."""

@@ -17,7 +17,7 @@ from ..errors import InputError
 from ..game import arranging
 from ..physics.values import Ball
 from .keys import KEYS
-from .telling import ball_name
+from .telling import ball_name, begun
 from .words import say
 
 if TYPE_CHECKING:
@@ -115,8 +115,9 @@ class Editing:
             if play.session.free and play.stage.screen.top.collidepoint(pos):
                 self.remove()
             elif not self.place():
+                why = play.in_hand.refused(play.session)
                 self.let_go()
-                self._tell(lambda: say("edit.no_room"))
+                self._tell(lambda: f"{why} {say('edit.put_back')}")
         elif grip.button == _RIGHT and not grip.moved:
             if grip.ball:
                 self._take_off(grip.ball)
@@ -203,4 +204,4 @@ class Editing:
         return session.free or (session.movable and ball == session.cue.id)
 
     def _tell(self, told: Callable[[], str]) -> None:
-        self.play.told = told
+        self.play.told = lambda: begun(told())

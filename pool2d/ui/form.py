@@ -16,10 +16,12 @@ class Form:
 
     Tab and Shift+Tab (Up and Down too, where the widget has no use for them) move the focus, the wheel
     scrolls, and so does dragging the mark that tells that there is more. A row may hold several widgets side
-    by side. The ring around the focus is shown while it is moved by keys.
+    by side; Left and Right go along it. The ring around the focus is shown while it is moved by keys. Between the
+    widgets and the panel's edge there are `margin` units of the grid.
     """
 
-    def __init__(self, rows: list[list[Widget]]) -> None:
+    def __init__(self, rows: list[list[Widget]], margin: int = 2) -> None:
+        self.margin = margin
         self.rect = pygame.Rect(0, 0, 0, 0)
         self.unit = 8
         self.rows: list[list[Widget]] = []
@@ -56,13 +58,14 @@ class Form:
     def place(self, rect: pygame.Rect, unit: int) -> None:
         """Lay the widgets out in `rect`."""
         self.rect, self.unit = rect, unit
-        self.scroll = max(0, min(self.scroll, self.height(unit) - rect.height + 4 * unit))
-        y = rect.top + 2 * unit - self.scroll
+        self.scroll = max(0, min(self.scroll, self.height(unit) - rect.height + 2 * self.margin * unit))
+        margin = self.margin * unit
+        y = rect.top + margin - self.scroll
         for row in self.rows:
             height = _row_height(row, unit)
-            width = (rect.width - 4 * unit - (len(row) - 1) * unit) // len(row)
+            width = (rect.width - 2 * margin - (len(row) - 1) * unit) // len(row)
             for i, widget in enumerate(row):
-                widget.rect = pygame.Rect(rect.left + 2 * unit + i * (width + unit), y, width, height)
+                widget.rect = pygame.Rect(rect.left + margin + i * (width + unit), y, width, height)
             y += height
 
     def handle(self, event: pygame.event.Event) -> bool:
@@ -99,7 +102,7 @@ class Form:
                 shown = widget is self.focus and (self.by_keys or not widget.ringed)
                 widget.draw(surface, self.unit, shown, widget is self._hovered)
         if self.focus is not None and self.by_keys and self.focus.ringed:
-            ring(surface, self.focus.rect, self.unit)
+            ring(surface, self.focus, self.unit)
         mark = self._mark()
         if mark is not None:
             color = theme.TEXT if self._scrolling is not None else theme.QUIET if self._inside else theme.EDGE
@@ -151,7 +154,7 @@ class Form:
     def _move(self, pos: tuple[int, int]) -> bool:
         self._inside = self.rect.collidepoint(pos)
         if self._scrolling is not None:
-            whole = self.height(self.unit) + 4 * self.unit
+            whole = self.height(self.unit) + 2 * self.margin * self.unit
             self.scroll += (pos[1] - self._scrolling) * whole // max(1, self.rect.height)
             self._scrolling = pos[1]
             return True
@@ -170,7 +173,8 @@ class Form:
 
     def _mark(self) -> pygame.Rect | None:
         """The mark that tells which part of the rows is in sight."""
-        return scroll_mark(self.rect, self.scroll, self.rect.height, self.height(self.unit) + 4 * self.unit, self.unit)
+        whole = self.height(self.unit) + 2 * self.margin * self.unit
+        return scroll_mark(self.rect, self.scroll, self.rect.height, whole, self.unit)
 
     def _key(self, key: int, mod: int) -> bool:
         focus = self.focus
@@ -180,7 +184,7 @@ class Form:
             back = key == pygame.K_UP or (key == pygame.K_TAB and bool(mod & pygame.KMOD_SHIFT))
             self._step(-1 if back else 1)
             return True
-        return False
+        return key in (pygame.K_LEFT, pygame.K_RIGHT) and self._step_aside(-1 if key == pygame.K_LEFT else 1)
 
     def _step(self, by: int) -> None:
         stops = [widget for widget in self.widgets if widget.focusable]
@@ -189,6 +193,17 @@ class Form:
             at = stops.index(self.focus) if self.focus in stops else -by
             self.focus = stops[(at + by) % len(stops)]
             self._show(self.focus)
+
+    def _step_aside(self, by: int) -> bool:
+        """Go on to the next widget of the same row; whether there is one."""
+        row = next((row for row in self.rows if self.focus in row), [])
+        stops = [widget for widget in row if widget.focusable]
+        at = stops.index(self.focus) + by if self.focus in stops else -1
+        if not 0 <= at < len(stops):
+            return False
+        self.by_keys = True
+        self.focus = stops[at]
+        return True
 
     def _show(self, widget: Widget) -> None:
         """Scroll so far that a widget is in sight."""

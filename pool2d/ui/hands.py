@@ -139,6 +139,11 @@ class Hands:
     def raise_butt(self, degrees: float) -> None:
         self.aim = self.aim.with_elevation(self.aim.elevation + degrees)
 
+    def take_over(self) -> None:
+        """Another player's hands: the cue as at first, still pointing the same way."""
+        self.put_down()
+        self.aim = replace(Aim(), angle=self.aim.angle)
+
     def center(self) -> None:
         """No spin, level cue."""
         self.aim = replace(self.aim, side=0.0, height=0.0, elevation=0.0)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from ..game.rules.spotting import KITCHEN, D, within
 from ..game.session import Session
 from ..physics.values import Ball
+from .words import say
 
 Point = tuple[float, float]
 
@@ -50,6 +52,13 @@ class InHand:
             return session.may_place(ball.x, ball.y)
         radius = session.table.body_of(ball)[0]
         return session.table.has_room(ball.x, ball.y, radius, session.layout, ignore=ball.id)
+
+    def refused(self, session: Session) -> str:
+        """Why it may not stand where it is held."""
+        ball, where = self.held(session), session.ask.where
+        if ball is None or not self._given(session) or within(session.table, where, ball.x, ball.y):
+            return say("play.no_room")
+        return {KITCHEN: say("play.only_kitchen"), D: say("play.only_d")}.get(where, say("play.no_room"))
 
     def place(self, session: Session) -> bool:
         """Put it down; False, and it is still held, where it may not stand."""

@@ -38,6 +38,8 @@ class Lobby:
         self.tell = tell
         self._told: InputError | None = None
         self._damaged: Path | None = None
+        # What is practised at, while a match is played.
+        self._practice: Session | None = None
         play.paused = self.pause
         play.ended = self.ended
 
@@ -80,13 +82,15 @@ class Lobby:
 
     def begin(self, session: Session) -> Scene:
         """Play a session, in place of the one so far; what follows from where it stands."""
+        if self.play.session.free:
+            self._practice = self.play.session
         self.play.begin(session)
         return self.ended() or self.play
 
     def leave(self) -> Scene:
-        """Go to the menu; a match that is left can be continued."""
+        """Go to the menu; a match that is left can be continued, and practice goes on where it was."""
         if not self.play.session.free:
-            self.play.begin(practice(self.play.session.table, _seed()))
+            self.play.begin(self._practice or practice(self.play.session.table, _seed()))
         return self.menu()
 
     def watch(self) -> None:

@@ -27,6 +27,8 @@ _RACES = tuple(str(frames) for frames in (*range(1, 16), 17, 19, 21, 25, 35))
 _LADDER = (*range(11), 12, 15, 20, 25, 30, 35, 40, 50, 60, 75, 80, 100, 125, 150, 200, 250, 300, 400, 500, 750, 1000)
 # As many rows as the game with the most options takes, lest the panel jump from one game to the next.
 _TALL = 5.0
+# What stands for the table as it is being practised on, where that is not as its preset has it.
+TUNED = "*"
 _SETTINGS = ("players.first", "players.second")
 
 
@@ -49,7 +51,10 @@ class NewMatch(Dialog):
         self.breaks = BREAKS[0]
         self.options: dict[str, float | str] = {}
         self.wrong = ""
-        self._tables: dict[str, Table | None] = {table.source: table}
+        # A table that was tuned is one more to choose.
+        self._tables: dict[str, Table | None] = {}
+        if table.set or table.conditions:
+            self._tables[TUNED] = table
         players = store.values.players
         self.fields = [_name_field(number, name) for number, name in enumerate(players.names)]
         self._take_table(self.table)
@@ -175,6 +180,8 @@ class NewMatch(Dialog):
     def _title(self, name: str) -> str:
         """The name of a table as its preset has it; that of the preset where it cannot be read."""
         table = self._tables.get(name)
+        if name == TUNED and table is not None:
+            return say("match.tuned", table=table.title)
         try:
             return read_preset(name).title if table is None else table.title
         except InputError:

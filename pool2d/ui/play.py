@@ -8,7 +8,7 @@ from pathlib import Path
 import pygame
 
 from ..errors import InputError
-from ..game.rules import AIM
+from ..game.rules import AIM, OVER
 from ..game.session import Session
 from ..settings import GUIDES
 from . import play_art
@@ -24,6 +24,8 @@ from .sound import Sounds
 from .tuning import Tuning
 from .words import say
 
+# A key that struck or skipped a shot and is still pressed, or again, strikes no other so soon after, s.
+_GUARD = 0.35
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
 
@@ -63,7 +65,8 @@ class Play(Sitting):
     def still(self) -> bool:
         """Whether it would look the same at the next frame, unless an event comes."""
         shown = self.playback is None or self.playback.still
-        return shown and self.stage.still and self.tuning is None
+        read = self.playback is not None or self.word is None or self.told == self.word
+        return shown and read and self.stage.still and self.tuning is None
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if self.tuning is not None and not self.hands.busy and self.tuning.handle(event):
@@ -133,19 +136,23 @@ class Play(Sitting):
         screen = self.stage.screen
         if self.hands.grab(pos, screen):
             return
-        if self.playback is None and self.referee.point_out(*self.stage.view.to_table(*pos), self.session):
-            return
         self._move(pos)
-        if self._holding:
+        if self.playback is None and self.session.ask.kind == OVER:
+            self._next = self.ended()
+        elif self._holding:
             self._place()
         elif self.playback is None and self.session.ask.kind == AIM and screen.top.bottom <= pos[1] < screen.bottom.top:
             self.hands.begin_pull(pos)
 
     def _release(self, pos: tuple[int, int]) -> None:
         self._move(pos)
+        clicked = self.hands.pull is not None
         speed = self.hands.let_go()
         if speed > 0.0:
             self._strike(speed, drawn=True)
+        elif clicked:
+            # What is a pull from a pocket with a drag is a call without.
+            self.referee.point_out(*self.stage.view.to_table(*pos), self.session)
 
     # What hands and keys lead to.
 
@@ -164,7 +171,7 @@ class Play(Sitting):
             return True
         if self.session.match.now is not moment:
             self.drop()
-            self.told = lambda: self.referee.verdict(self.session)
+            self.tell_the_word()
             self._next = self.ended()
         return taken
 
@@ -191,7 +198,7 @@ class Play(Sitting):
             self.playback.leave()
         elif self._holding:
             self._place()
-        else:
+        elif self._rested > _GUARD:
             self._strike(self.hands.aim.speed)
 
     def _show_geometry(self) -> None:
@@ -202,7 +209,8 @@ class Play(Sitting):
 
     def _place(self) -> None:
         if not self.editing.place():
-            self.told = lambda: say("play.no_room")
+            told = self.in_hand.refused(self.session)
+            self.told = lambda: told
 
     def update(self, dt: float) -> Scene | None:
         self.pass_time(dt)

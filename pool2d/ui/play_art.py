@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from ..game.rules import AIM
+from ..game.rules import AIM, CHOOSE
 from ..game.rules.spotting import KITCHEN, D
-from ..physics.strike import hop
+from ..physics.strike import hop, miscue_limit
 from . import cue_art, hud, scoreboard, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
 from .effects import Effects
@@ -48,13 +48,15 @@ def draw(surface: pygame.Surface, play: Play) -> None:
         play.tuning.draw(surface)
 
 
-def _notes(play: Play, speed: float) -> str:
+def notes(play: Play, speed: float) -> str:
     """What is to be said of the shot that is aimed."""
     session, shot = play.session, play.hands.aim.shot(play.session.cue.id, speed)
     if play.playback is not None or session.ask.kind != AIM or speed == 0.0:
         return ""
     off = play.referee.warning(session, play.aimed(shot)) if play.level else ""
-    return f"{off} {hop_note(play, speed)}".strip()
+    limit = miscue_limit(session.table.knobs.cue.tip_friction)
+    slips = say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
+    return " ".join(filter(None, (off, slips, hop_note(play, speed))))
 
 
 def hop_note(play: Play, speed: float) -> str:
@@ -136,8 +138,9 @@ def _bars(surface: pygame.Surface, play: Play) -> None:
         first = play.playback is not None and not play.playback.again
         scoreboard.draw(surface, screen, session.match, session.match.history[-2 if first else -1])
     play.stage.tray(surface)
-    hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)
+    if session.ask.kind != CHOOSE or play.playback is not None:
+        hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
-    message = wrong or f"{play.message} {_notes(play, hands.speed)}".strip()
+    message = wrong or f"{play.message} {notes(play, hands.speed)}".strip()
     taken = play.referee.place(screen, session) if play.playback is None else 0
     hud.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)

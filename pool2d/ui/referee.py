@@ -8,23 +8,23 @@ import pygame
 
 from ..game.match import Moment
 from ..game.report import Call
-from ..game.rules import AIM, CHOOSE
+from ..game.rules import AIM, CHOOSE, OVER, PLACE
 from ..game.session import Session, placing
 from . import pen, rulings, telling, theme
 from .form import Form
 from .hud import Screen
-from .keys import action_of
+from .keys import KEYS, action_of
 from .view import View
 from .widgets import Button, Toggle, Widget
 from .words import say
 
-# How wide a button of the strip is, in units.
-_WIDE, _NARROW = 24, 19
+# How wide a button of the strip of calls is, in units.
+_WIDE = 19
 _CHOOSING = (pygame.K_TAB, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_SPACE)
 
 
 class Referee:
-    """The strip of buttons above the lower bar, which offers just what the ruling allows.
+    """The strip of buttons in the lower bar, which offers just what the ruling allows.
 
     `pocket` and `ball` are what has been called for the next shot, "" where that is left to be obvious.
     """
@@ -32,7 +32,7 @@ class Referee:
     def __init__(self) -> None:
         self.pocket = self.ball = ""
         self.safety = self.push = False
-        self.form = Form([])
+        self.form = Form([], margin=1)
         self._moment: Moment | None = None
         self._shown: object = None
 
@@ -48,7 +48,7 @@ class Referee:
         shown = (session.match.now, self.pocket, self.ball, say("referee.safety"))
         if shown != self._shown:
             self._shown = shown
-            self.form.set_rows([row] if (row := self._row(session)) else [])
+            self.form.set_rows(self._rows(session))
             # While one aims, the keys are not the strip's.
             self.form.by_keys = session.ask.kind == CHOOSE
 
@@ -95,26 +95,38 @@ class Referee:
         wanted = (self.ball,) if ask.call == "ball" and self.ball else ask.on
         if session.free or ask.kind != AIM or not aimed or aimed in wanted:
             return ""
-        return say("referee.not_on", ball=telling.ball_name(aimed, ask.ball))
+        return say("referee.not_on", ball=rulings.ball(aimed))
 
     def verdict(self, session: Session) -> str:
-        """What the last ruling says, in sentences."""
-        return " ".join(rulings.told(note, session.match.names) for note in session.ruling.notes)
+        """What the last ruling says, in sentences, and what it leaves to the player."""
+        ask, said = session.ask, [rulings.verdict(session.match.now, session.match.names)]
+        on = {rulings.ball(ball) for ball in ask.on}
+        if ask.kind in (AIM, PLACE) and len(on) == 1 and not session.free:
+            said.append(say("referee.on", ball=on.pop()))
+        if ask.kind == AIM and ask.where:
+            said.append(say(f"referee.movable.{ask.where}"))
+        if ask.kind == OVER:
+            said.append(say("referee.over", key=KEYS.shown("strike")))
+        return " ".join(said)
 
     def place(self, screen: Screen, session: Session) -> int:
-        """Lay the strip out: a choice over the table, calls at the end of the lower bar; how wide it is there."""
+        """Lay the strip out in the lower bar: a choice where else the cue's diagrams are, calls at the end.
+
+        Returns how wide it is there.
+        """
         unit, count = screen.unit, len(self.form.widgets)
         if not count:
             return 0
-        choosing = session.ask.kind == CHOOSE
-        wide = unit * (count * ((_WIDE if choosing else _NARROW) + 1) + 3)
-        box = pygame.Rect(0, 0, min(screen.width, wide), self.form.height(unit) + 4 * unit)
-        if choosing:
-            box.midbottom = (screen.width // 2, screen.bottom.top - unit)
+        height = self.form.height(unit) + 2 * unit
+        if session.ask.kind == CHOOSE:
+            box = pygame.Rect(unit, 0, screen.message.left - 2 * unit, height)
+            # A choice of many reaches a little over the table's rail, but never over its cloth.
+            box.bottom = min(screen.height, screen.bottom.centery + height // 2)
         else:
+            box = pygame.Rect(0, 0, min(screen.width, unit * (count * (_WIDE + 1) + 1)), height)
             box.midright = (screen.width - unit, screen.bottom.centery)
         self.form.place(box, unit)
-        return 0 if choosing else box.width + unit
+        return 0 if session.ask.kind == CHOOSE else box.width + unit
 
     def draw(self, surface: pygame.Surface, view: View, session: Session) -> None:
         """Draw the strip, and a ring round a pocket that is called."""
@@ -125,6 +137,12 @@ class Referee:
             self.form.draw(surface)
 
     # What is on the strip.
+
+    def _rows(self, session: Session) -> list[list[Widget]]:
+        """A row of calls, or rows of two choices."""
+        row = self._row(session)
+        across = 2 if session.ask.kind == CHOOSE else max(1, len(row))
+        return [row[i : i + across] for i in range(0, len(row), across)]
 
     def _row(self, session: Session) -> list[Widget]:
         ask = session.ask

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pygame
 
-from ..game.actions import Arrange, NextFrame, Stalemate, Stroke
+from ..game.actions import Stroke
 from ..game.reel import Reel
 from ..settings import Store
 from . import replay_art, stroke
@@ -100,11 +100,8 @@ class Replay:
         """Let the balls of every stroke that is worked out lie as those before it left them."""
         takes = self.reel.takes
         for at in range(self._laid, len(takes)):
-            before, rollout = takes[at].before, takes[at].rollout
-            last = takes[at - 1].moment.state.racks if at else None
-            if before.state.racks != last or isinstance(before.action, NextFrame | Arrange | Stalemate):
-                self.stage.keeper.lying(rollout.start)
-            self.stage.keeper.lying(rollout.start, rollout)
+            last = takes[at - 1].moment if at else None
+            self.stage.keeper.follow(takes[at].before, takes[at].rollout, last)
         self._laid = len(takes)
 
     # Events.

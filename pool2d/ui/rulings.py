@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from string import digits
 
 from ..game.drills import Drill, Wording
+from ..game.match import Moment
 from ..game.rules import Note
 from ..game.rules import words as rules
 from .telling import ball_name, place_name
@@ -17,12 +18,12 @@ from .words import language, say, say_or
 
 def told(note: Note, names: Sequence[str]) -> str:
     """A note of a ruling as a sentence; `names` are the players'."""
-    return rules.say(note, names, _template(note.key), _ball)
+    return rules.say(note, names, _template(note.key), ball)
 
 
 def option(key: str) -> str:
     """What one of `Ask.options` is called."""
-    called = _ball if key.startswith("group:") else place_name
+    called = ball if key.startswith("group:") else place_name
     return rules.label(key, _template("choice." + key.partition(":")[0]), called)
 
 
@@ -51,12 +52,19 @@ def missed(key: str) -> str:
     return say(f"drill.missed.{key}") if key else ""
 
 
+def verdict(moment: Moment, names: Sequence[str]) -> str:
+    """What fell in a stroke, and what the ruling says of it."""
+    fell = moment.report.potted if moment.report is not None else ()
+    said = [say("referee.fell", balls=", ".join(ball(one) for one in fell))] if fell else []
+    return " ".join([*said, *(told(note, names) for note in moment.ruling.notes)])
+
+
 def _template(key: str) -> dict[str, str]:
     return {key: say_or(f"ruling.{key}", rules.ENGLISH[key])}
 
 
-def _ball(ball: str) -> str:
-    """What a ball is called in a sentence, as by the rules' `called`."""
-    if ball.isdigit():
-        return say("ball.numbered", number=ball)
-    return ball_name("white" if ball == "cue" else ball.rstrip(digits), "cue")
+def ball(name: str) -> str:
+    """What a ball is called in a sentence, as by the rules' `called`: one of many alike has no number."""
+    if name.isdigit():
+        return say("ball.numbered", number=name)
+    return ball_name("white" if name == "cue" else name.rstrip(digits), "cue")

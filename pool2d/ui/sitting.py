@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable
+from itertools import pairwise
 
 from ..errors import BudgetError, InputError
 from ..game.rules import OVER
@@ -27,12 +29,16 @@ from .timeline import Timeline
 from .tuning import Tuning
 from .words import say
 
+# How long a notice is told before the referee's word comes back, s.
+_READ = 4.0
+
 
 class Sitting:
     """A session on screen.
 
     While `playback` is set, its shot is shown. `effects` is what the options allow to move for show; `warning`
-    stays until what it warns of is mended. `told` says what is told until the next; it is asked anew for every
+    stays until what it warns of is mended. `told` says what is told until the next; in a match the referee's word
+    comes back after a while. It is asked anew for every
     picture, as the language may change.
     """
 
@@ -48,7 +54,10 @@ class Sitting:
         self.referee = Referee()
         self.tuning: Tuning | None = None
         self.effects = Effects()
-        self.told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
+        self._told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
+        # How long that has been told, and how long the balls have been at rest, s.
+        self._age = self._rested = math.inf
+        self._who = session.ask.who
         self.warning = ""
         # What opens once a shot or a choice has ended the frame.
         self.ended: Callable[[], Scene | None] = lambda: None
@@ -60,9 +69,29 @@ class Sitting:
         return None if self.playback is None else self.playback.rollout
 
     @property
+    def told(self) -> Callable[[], str]:
+        return self._told
+
+    @told.setter
+    def told(self, words: Callable[[], str]) -> None:
+        self._told, self._age = words, 0.0
+
+    @property
     def message(self) -> str:
         """What is told at present; empty where nothing is."""
         return self.told()
+
+    @property
+    def word(self) -> Callable[[], str] | None:
+        """What is told again once other things have been read; None in practice, where nobody rules."""
+        return None if self.session.free else self._verdict
+
+    def _verdict(self) -> str:
+        return self.referee.verdict(self.session)
+
+    def tell_the_word(self) -> None:
+        """Tell what is told where there is nothing else to tell."""
+        self.told = self.word or (lambda: "")
 
     @property
     def titles(self) -> tuple[str, str]:
@@ -97,7 +126,13 @@ class Sitting:
         self.session.leave()
         self.session = session
         self.referee = Referee()
-        self.told = lambda: self.referee.verdict(session)
+        self.told = self._verdict
+        self._who = session.ask.who
+        last = None
+        for before, moment in pairwise(session.match.history):
+            if moment.rollout is not None:
+                self.stage.keeper.follow(before, moment.rollout, last)
+                last = moment
 
     def _strike(self, speed: float, drawn: bool = False) -> None:
         """Play the shot that is aimed; `drawn` where a hand has drawn the cue back already."""
@@ -214,6 +249,12 @@ class Sitting:
         """Let the shot that is shown, the camera and the panels go on by `dt` seconds."""
         self.referee.follow(self.session)
         self.referee.form.update(dt)
+        self._change_hands()
+        if self.playback is None:
+            self._rested += dt
+            self._age += dt
+            if self._age > _READ and self.word is not None:
+                self._told = self.word
         if self.tuning is not None:
             self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
             self.tuning.update(dt)
@@ -225,15 +266,21 @@ class Sitting:
             if self.playback.over:
                 self._come_to_rest(self.playback)
 
+    def _change_hands(self) -> None:
+        """The next player takes the cue level, with no spin and no force set."""
+        who = self.session.ask.who
+        if who != self._who and who >= 0:
+            self.hands.take_over()
+            self._who = who
+
     def _come_to_rest(self, shown: Playback) -> None:
         """Show no shot any more, and tell what came of it."""
         self.playback = None
+        self._rested = 0.0
         if telling.missed(shown.rollout) and not shown.again:
             self.sounds.chalk()
-        if shown.again:
-            self.told = lambda: ""
-        elif not self.session.free:
-            self.told = lambda: self.referee.verdict(self.session)
+        if shown.again or not self.session.free:
+            self.tell_the_word()
         elif self.session.in_hand or not telling.missed(shown.rollout):
             cue = self.session.cue.id
             self.told = lambda: telling.outcome(shown.rollout, cue)

@@ -21,7 +21,7 @@ def title(event: Event, cue: str) -> str:
         return say("event.miscue")
     balls = [ball_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
     where, every = place_name(event.where or ""), ", ".join(balls)
-    return _begun(say(f"event.{event.kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
+    return begun(say(f"event.{event.kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
 
 
 def missed(rollout: Rollout) -> bool:
@@ -55,7 +55,7 @@ def change(event: Event, ball: str, cue: str) -> str:
         roll=f"{_roll(old):.0f}", roll_after=f"{_roll(new):.0f}",
         side=f"{old.wz:.0f}", side_after=f"{new.wz:.0f}",
     )  # fmt: skip
-    return _begun(told)
+    return begun(told)
 
 
 def throw(event: Event) -> float | None:
@@ -119,7 +119,8 @@ def place_name(name: str) -> str:
     return say("telling.jaw", where=told) if jaw == "jaw" else f"{told} {jaw}".rstrip()
 
 
-def _begun(sentence: str) -> str:
+def begun(sentence: str) -> str:
+    """A sentence with its first letter large."""
     return sentence[:1].upper() + sentence[1:]
 
 

@@ -17,14 +17,16 @@ class Widget:
     """What every control has.
 
     `rows` is its height in rows of the form; `hint` is told on hovering; `greedy` ones get Tab and Esc too,
-    while they have the focus. A ring marks the focus; those that are not `ringed` mark it themselves. The form
-    keeps `held`, whether the button is down on it, and `pointer`, where the pointer is while it is over it.
+    while they have the focus. A ring marks the focus, wider and taller than the widget by `margin`, in units of the
+    grid; those that are not `ringed` mark it themselves. The form keeps `held`, whether the button is down on it, and
+    `pointer`, where the pointer is while it is over it.
     """
 
     rows = 1.0
     focusable = True
     greedy = False
     ringed = True
+    margin = (1.5, 0.0)
     hint = ""
 
     def __init__(self) -> None:
@@ -70,9 +72,11 @@ def face(pressed: bool, hovered: bool) -> theme.Color:
     return theme.FACE_DOWN if pressed else theme.FACE_LIT if hovered else theme.FACE
 
 
-def ring(surface: pygame.Surface, rect: pygame.Rect, unit: int) -> None:
+def ring(surface: pygame.Surface, widget: Widget, unit: int) -> None:
     """Mark what has the focus."""
-    shapes.rounded(surface, rect.inflate(unit * 3 // 2, 0), None, unit, theme.ACCENT, max(2, unit // 5))
+    wider, taller = widget.margin
+    rect = widget.rect.inflate(round(unit * wider), round(unit * taller))
+    shapes.rounded(surface, rect, None, unit, theme.ACCENT, max(2, unit // 5))
 
 
 def scroll_mark(rect: pygame.Rect, first: int, seen: int, whole: int, unit: int) -> pygame.Rect | None:
@@ -131,6 +135,7 @@ class Button(Widget):
     """Does something when it is pressed and released, or on Enter or Space."""
 
     rows = 1.5
+    margin = (0.75, 0.3)
 
     def __init__(self, label: str, do: Callable[[], None], hint: str = "", strong: bool = False) -> None:
         super().__init__()

@@ -43,14 +43,12 @@ def solve(hand: Hand, play: DrillPlay) -> None:
     """Play the strokes of the solution that are left."""
     for shot in play.drilling.drill.solution[play.drilling.run.standing.done :]:
         play.hands.aim = Aim.of(shot)
-        hand.key(pygame.K_SPACE)
-        hand.key(pygame.K_SPACE)
+        hand.strike()
 
 
 def miss(hand: Hand, play: DrillPlay) -> None:
     play.hands.aim = Aim(angle=180.0, speed=0.3)
-    hand.key(pygame.K_SPACE)
-    hand.key(pygame.K_SPACE)
+    hand.strike()
 
 
 def test_the_shelf_lists_every_drill_with_its_goal_and_the_best(hand: Hand) -> None:
@@ -121,8 +119,7 @@ def test_a_whole_run_is_added_up_and_the_next_begins(hand: Hand) -> None:
 def test_a_drill_of_several_steps_goes_on_after_a_good_stroke(hand: Hand) -> None:
     play = begin(hand, "three-in-order")
     play.hands.aim = Aim.of(play.drilling.drill.solution[0])
-    hand.key(pygame.K_SPACE)
-    hand.key(pygame.K_SPACE)
+    hand.strike()
     assert "1 of 3" in play.message
     solve(hand, play)
     assert play.drilling.run.results == (3,)

@@ -273,6 +273,7 @@ def test_the_same_shot_again_from_the_same_balls(two: Hand) -> None:
     two.point(2.0, 1.0)
     two.key(pygame.K_BACKSPACE)
     two.key(pygame.K_F5)
+    two.app.step(0.5)
     assert two.play.session.layout == before
     assert two.play.hands.aim == aim
     two.key(pygame.K_SPACE)

@@ -9,7 +9,8 @@ from pool2d import Layout, Shot, load_table, simulate
 from pool2d.game.rules import AIM, CHOOSE, PLACE
 from pool2d.game.session import Session, recorded
 from pool2d.game.setup import Setup
-from pool2d.ui import guide, scoreboard, words
+from pool2d.ui import guide, play_art, rulings, scoreboard, words
+from pool2d.ui.aim import Aim
 from pool2d.ui.ended import FrameOver
 
 from .conftest import Hand
@@ -255,3 +256,93 @@ def test_the_ways_of_a_shot_tell_the_struck_ball_whichever_it_is(hand: Hand) -> 
     end = rollout.layout()["yellow"]
     x, y = view.to_screen(0.5 * (yellow.x + end.x), 0.5 * (yellow.y + end.y))
     assert surface.get_at((round(x), round(y)))[0] > 100 > surface.get_at((round(x), round(y)))[2]
+
+
+def test_the_word_of_the_referee_comes_back_after_a_notice(hand: Hand) -> None:
+    session = begin(hand, "nine-ball")
+    verdict = hand.play.message
+    assert "Ann breaks" in verdict and "The 1 is on." in verdict and "dragged behind the line" in verdict
+    hand.key(pygame.K_g)
+    assert "Guide" in hand.play.message
+    # A window that is still would never tell it.
+    assert not hand.play.still
+    hand.app.step(3.0)
+    assert "Guide" in hand.play.message
+    hand.app.step(1.5)
+    assert hand.play.message == verdict
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.005)
+    hand.strike()
+    said = hand.play.message
+    fell = session.match.now.report.potted if session.match.now.report else ()
+    assert ("Pocketed:" in said) == bool(fell)
+    hand.key(pygame.K_r)
+    hand.key(pygame.K_ESCAPE)
+    assert hand.play.playback is None and hand.play.message == said
+
+
+def test_each_player_takes_the_cue_as_it_was_at_first(hand: Hand) -> None:
+    session = begin(hand, "nine-ball")
+    hand.play.hands.aim = Aim(angle=12.0, speed=0.5, side=0.3, height=-0.4, elevation=20.0)
+    hand.strike()
+    assert session.ask.who == 1
+    aim = hand.play.hands.aim
+    assert (aim.angle, aim.speed, aim.side, aim.height, aim.elevation) == (12.0, Aim().speed, 0.0, 0.0, 0.0)
+
+
+def test_a_strike_key_that_is_hit_on_and_on_plays_no_shot_for_the_other(hand: Hand) -> None:
+    session = begin(hand, "nine-ball")
+    for _ in range(6):
+        hand.key(pygame.K_SPACE)
+    assert session.strokes == 1
+    hand.app.step(0.5)
+    hand.play.session.choose(session.ask.options[0]) if session.ask.options else None
+    assert session.strokes == 1
+
+
+def test_why_the_cue_ball_may_not_stand_somewhere_is_told(hand: Hand) -> None:
+    begin(hand, "snooker", "snooker-12ft")
+    session = hand.play.session
+    cue, yellow = session.cue, session.layout["yellow"]
+    for place, why in (((2.0, 0.9), "in the D"), ((yellow.x - 0.02, yellow.y + 0.02), "no room")):
+        hand.point(cue.x, cue.y)
+        hand.press()
+        hand.point(*place)
+        hand.release()
+        assert why in hand.play.message and "back where it was" in hand.play.message
+        assert session.cue == cue
+
+
+def test_a_click_leads_on_from_a_frame_that_is_over(hand: Hand) -> None:
+    session = begin(hand, race=2)
+    session.concede(0)
+    hand.app.step(0.0)
+    hand.point(1.0, 0.3)
+    hand.press()
+    assert isinstance(hand.app.scene, FrameOver)
+
+
+def test_a_stroke_may_begin_on_a_pocket(hand: Hand) -> None:
+    session = begin(hand, "straight")
+    pocket = session.table.geometry.pockets[0]
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(8.0).toward(1.0, 0.0)
+    hand.point(pocket.x, pocket.y)
+    hand.press()
+    hand.pull(80.0)
+    hand.release()
+    assert session.strokes == 1
+    assert hand.play.referee.pocket == ""
+
+
+def test_a_tip_that_will_slip_is_told_before_the_stroke(hand: Hand) -> None:
+    play = hand.play
+    play.hands.aim = play.hands.aim.with_spin(0.0, 0.3)
+    shot = play.hands.aim.shot("cue", 2.0)
+    assert "slip" not in play_art.notes(play, shot.speed)
+    play.hands.aim = play.hands.aim.with_spin(0.9, 0.0)
+    assert "slip" in play_art.notes(play, shot.speed)
+
+
+def test_a_ball_of_many_alike_is_called_without_its_number(hand: Hand) -> None:
+    session = begin(hand, "english-eight-ball", "english-7ft")
+    assert hand.play.referee.warning(session, "yellow2") == ""
+    assert rulings.ball("yellow2") == "yellow" and rulings.ball("9") == "9"

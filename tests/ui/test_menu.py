@@ -22,7 +22,7 @@ from pool2d.ui.drill_shelf import DrillShelf
 from pool2d.ui.ended import FrameOver
 from pool2d.ui.help import Help
 from pool2d.ui.menu import Menu
-from pool2d.ui.new_match import NewMatch
+from pool2d.ui.new_match import TUNED, NewMatch
 from pool2d.ui.options import Options
 from pool2d.ui.play import Play
 from pool2d.ui.replays import RecordShelf
@@ -378,3 +378,21 @@ def test_who_says_what_to_play_on_plays_at_once(monkeypatch: pytest.MonkeyPatch,
     monkeypatch.setattr(start, "play", play)
     assert cli.main(argv) == 0
     assert asked == [menu]
+
+
+def test_a_table_tuned_in_practice_is_played_on_only_when_it_is_chosen(guest: Hand) -> None:
+    guest.play.change_table(load_table("pool-9ft", {"cloth.mu_slide": 0.3}))
+    for choice, tuned in (("pool-9ft", False), (TUNED, True)):
+        guest.app.scene = guest.app.lobby.menu()
+        choose(guest, "New match")
+        scene = guest.app.scene
+        assert isinstance(scene, NewMatch) and scene.table == "pool-9ft"
+        assert scene._title(TUNED) == "Pool, 9 ft, as tuned in practice"
+        scene._take_table(choice)
+        scene.start()
+        guest.app.step(0.0)
+        assert (guest.play.session.table.set != {}) == tuned
+        assert not guest.play.session.free
+        guest.app.lobby.leave()
+        # Practice goes on where it was.
+        assert guest.play.session.table.set == {"cloth.mu_slide": 0.3}

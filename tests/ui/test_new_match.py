@@ -91,8 +91,7 @@ def test_a_lag_decides_who_breaks_and_is_on_the_record(guest: Hand) -> None:
         # To the foot cushion, which is on the right.
         guest.point(2.0, session.cue.y)
         guest.play.hands.aim = guest.play.hands.aim.with_speed(speed)
-        guest.key(pygame.K_RETURN)
-        guest.wait_for_rest()
+        guest.strike()
     assert f"Player {first + 1} wins the lag" in guest.play.message
     assert session.ask.options == ("break", "give-break")
     guest.key(pygame.K_2)

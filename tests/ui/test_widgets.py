@@ -315,6 +315,16 @@ def test_the_ring_is_for_those_who_use_keys() -> None:
 def test_the_ring_stands_clear_of_the_labels() -> None:
     made = form(Toggle("Guide", lambda: True, lambda _: None))
     surface = pygame.Surface((800, 720))
-    ring(surface, made.widgets[0].rect, 8)
+    ring(surface, made.widgets[0], 8)
     inside = surface.subsurface(made.widgets[0].rect.inflate(4, -4))
     assert pygame.transform.average_color(inside)[:3] == (0, 0, 0)
+
+
+def test_left_and_right_go_along_a_row_of_buttons() -> None:
+    pressed: list[str] = []
+    buttons = [Button(name, lambda name=name: pressed.append(name)) for name in "abc"]  # type: ignore[misc]
+    made = Form([[buttons[0], buttons[1]], [buttons[2]]])
+    assert made.focus is buttons[0]
+    for key in (pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_LEFT, pygame.K_RETURN, pygame.K_LEFT):
+        made.handle(pygame.event.Event(pygame.KEYDOWN, key=key, mod=0))
+    assert pressed == ["b", "a"] and made.focus is buttons[0]
