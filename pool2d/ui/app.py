@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 
 import pygame
 
@@ -16,8 +17,10 @@ from . import text, words
 from .dialog import Dialog, ground
 from .drill_shelf import DrillShelf
 from .effects import effects_of, style_of
+from .help import Help
 from .keys import KEYS, action_of
 from .lobby import Lobby
+from .menu import Menu
 from .options import Options
 from .play import Play
 from .replay_scene import Replay
@@ -57,6 +60,12 @@ class App:
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
         self.toasts = Toasts()
+        # What keys open over the table and over the menus alike.
+        self._pages: dict[str | None, Callable[[Scene], Scene]] = {
+            "options": lambda below: Options(below, self.store),
+            "drills": lambda below: DrillShelf(below, self.play),
+            "help": Help,
+        }
         self._files = Watched(table)
         self._came: list[pygame.event.Event] = []
         self._unsaved = 0.0
@@ -162,13 +171,10 @@ class App:
             self.sounds.click()
             silent = self.sounds.muted
             self.toast(say("window.sound_off", key=KEYS.shown("mute")) if silent else say("window.sound_on"))
-        elif action == "options" and isinstance(self.scene, Play):
+        elif action in self._pages and isinstance(self.scene, Play | Menu):
             # The hands leave the table, as they do when the window is left.
             self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
-            self.scene = Options(self.scene, self.store)
-        elif action == "drills" and isinstance(self.scene, Play):
-            self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
-            self.scene = DrillShelf(self.scene, self.play)
+            self.scene = self._pages[action](self.scene)
         else:
             return False
         return True

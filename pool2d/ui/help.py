@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from typing import NamedTuple
+
 import pygame
 
 from . import shapes, text, theme
@@ -33,20 +36,21 @@ class Help:
     def draw(self, surface: pygame.Surface) -> None:
         ground(self.below).draw(surface)
         screen = Screen(*surface.get_size())
-        lines = [*hands(), ("", ""), *keys()]
-        size, pitch, left, right = _measures(lines, screen)
+        page = _laid([*hands(), ("", ""), *keys()], screen)
         unit = screen.unit
-        page = pygame.Rect(0, 0, left + right + 9 * unit, pitch * len(lines) + 2 * screen.large + 5 * unit)
-        page.center = surface.get_rect().center
+        box = pygame.Rect(0, 0, page.width, page.height)
+        box.center = surface.get_rect().center
         shapes.veil(surface)
-        shapes.panel(surface, page, unit)
-        x, y = page.left + 3 * unit, page.top + 2 * unit
-        text.draw(surface, say("help.title"), screen.large, theme.TEXT, (x, y))
-        y += 2 * screen.large + unit
-        for name, does in lines:
-            text.draw(surface, name, size, theme.ACCENT, (x, y))
-            text.draw(surface, does, size, theme.TEXT, (x + left + 3 * unit, y))
-            y += pitch
+        shapes.panel(surface, box, unit)
+        x, top = box.left + 3 * unit, box.top + 2 * unit
+        text.draw(surface, say("help.title"), screen.large, theme.TEXT, (x, top))
+        top += 2 * screen.large + unit
+        for column in page.columns:
+            left, right = _widths(column, page.size)
+            for i, (name, does) in enumerate(column):
+                text.draw(surface, name, page.size, theme.ACCENT, (x, top + i * page.pitch))
+                text.draw(surface, does, page.size, theme.TEXT, (x + left + 2 * unit, top + i * page.pitch))
+            x += left + right + 5 * unit
 
 
 def hands() -> list[Line]:
@@ -64,12 +68,37 @@ def keys() -> list[Line]:
     return lines
 
 
-def _measures(lines: list[Line], screen: Screen) -> tuple[int, int, int, int]:
-    """The largest letters that let all lines into the window: their size, the pitch, and both columns' widths."""
-    unit = screen.unit
+class _Page(NamedTuple):
+    """The lines in columns, the size of the letters, from line to line, and what the page takes, in pixels."""
+
+    columns: list[list[Line]]
+    size: int
+    pitch: int
+    width: int
+    height: int
+
+
+def _laid(lines: list[Line], screen: Screen) -> _Page:
+    """The lines in as many columns as let the letters be largest."""
+    page = None
     for size in range(screen.small, 0, -1):
-        left, right = (max(text.font(size).size(line[i])[0] for line in lines) for i in (0, 1))
-        pitch = min(size * 5 // 3, (screen.height - 2 * screen.large - 7 * unit) // len(lines))
-        if pitch >= text.font(size).get_linesize() * 4 // 5 and left + right + 9 * unit <= screen.width:
-            break
-    return size, pitch, left, right
+        for count in (1, 2, 3):
+            page = _in_columns(lines, count, size, screen)
+            if page.width <= screen.width and page.height <= screen.height:
+                return page
+    assert page is not None
+    return page
+
+
+def _in_columns(lines: list[Line], count: int, size: int, screen: Screen) -> _Page:
+    unit, pitch = screen.unit, text.font(size).get_linesize()
+    most = math.ceil(len(lines) / count)
+    columns = [lines[i : i + most] for i in range(0, len(lines), most)]
+    width = sum(sum(_widths(column, size)) + 5 * unit for column in columns) + 3 * unit
+    return _Page(columns, size, pitch, width, pitch * most + 2 * screen.large + 5 * unit)
+
+
+def _widths(lines: list[Line], size: int) -> tuple[int, int]:
+    """How wide the names and what they do are."""
+    left, right = (max(text.font(size).size(line[i])[0] for line in lines) for i in (0, 1))
+    return left, right

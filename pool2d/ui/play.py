@@ -13,7 +13,6 @@ from ..game.session import Session
 from ..settings import GUIDES
 from . import play_art
 from .editing import Editing
-from .help import Help
 from .keys import action_of, fine_step
 from .playback import Playback
 from .positions import Positions
@@ -108,8 +107,6 @@ class Play(Sitting):
         action = action_of(key, mod) or ""
         if action == "quit":
             return None
-        if action == "help":
-            return Help(self)
         if self._holding and action in _ARROWS:
             # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
             dx, dy = _ARROWS[action]

@@ -396,3 +396,11 @@ def test_a_table_tuned_in_practice_is_played_on_only_when_it_is_chosen(guest: Ha
         guest.app.lobby.leave()
         # Practice goes on where it was.
         assert guest.play.session.table.set == {"cloth.mu_slide": 0.3}
+
+
+def test_pages_open_over_the_menu_by_their_keys(guest: Hand) -> None:
+    for key, kind in ((pygame.K_F1, Help), (pygame.K_o, Options), (pygame.K_F2, DrillShelf)):
+        guest.key(key)
+        assert shown(guest) is kind
+        guest.key(pygame.K_ESCAPE)
+        assert shown(guest) is Menu
