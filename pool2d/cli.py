@@ -244,7 +244,9 @@ def _whole(knob: Knob, text: str, name: str) -> int:
 
 def _size(text: str) -> tuple[int, int]:
     """`--size WxH` as two numbers."""
-    width, _, height = text.partition("x")
+    width, x, height = text.partition("x")
+    if not (x and width and height):
+        raise InputError("command line", "--size", text, "allowed is WIDTHxHEIGHT, such as 1280x720")
     size = Knob(0, 64, 8192, "pixels", "")
     return int(_number(size, width, "--size")), int(_number(size, height, "--size"))
 

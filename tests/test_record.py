@@ -22,7 +22,7 @@ from pool2d.game.match import Match
 from pool2d.game.record import Divergence, load, matches_folder, restored, seal, takes, verify
 from pool2d.game.recorder import Recorder, record, records, remove, resume, unfinished
 from pool2d.game.rules import GAMES
-from pool2d.game.setup import Setup
+from pool2d.game.setup import Setup, setup_of
 
 from .random_play import new_match, random_action
 
@@ -334,3 +334,10 @@ def test_a_few_kills_lose_nothing() -> None:
 def test_a_random_match_of_a_game_comes_back() -> None:
     for what, _ in (replays.attempt(("nine-ball", 4)), replays.attempt(("practice", 4))):
         assert what == ""
+
+
+@pytest.mark.parametrize("names", [[1, 2], [None, "Bo"]])
+def test_a_record_of_players_without_names_is_told(tmp_path: Path, names: list[object]) -> None:
+    data = new_match("nine-ball", 1).setup.as_dict() | {"names": names}
+    with pytest.raises(InputError, match="names"):
+        setup_of(data, "record")

@@ -78,7 +78,8 @@ class Record:
     def frames(self) -> tuple[int, ...]:
         """How many frames each player had won when it was left, without playing it; empty in a race to one."""
         won = self.entries[-1].data.get("frames", []) if self.entries else []
-        return tuple(won) if isinstance(won, list) else ()
+        whole = isinstance(won, list) and len(won) == 2 and all(type(frames) is int for frames in won)
+        return tuple(won) if whole else ()
 
 
 def matches_folder() -> Path:

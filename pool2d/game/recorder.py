@@ -51,8 +51,9 @@ class Recorder:
     def close(self) -> None:
         """Let go of the file. The record is whole at any time; nothing is left to be written."""
         if self._file >= 0:
-            os.close(self._file)
-            self._file = -1
+            file, self._file = self._file, -1
+            with contextlib.suppress(OSError):
+                os.close(file)
 
     def __enter__(self) -> Recorder:
         return self
@@ -69,9 +70,11 @@ class Recorder:
         """Append a line and wait until it is on the disk."""
         if self._file < 0:
             return
-        size = os.fstat(self._file).st_size
         line, total = seal({"n": self._lines, **body}, self._sum)
+        # Until it is known there is nothing to go back to, and a negative size is refused.
+        size = -1
         try:
+            size = os.fstat(self._file).st_size
             rest = memoryview(line)
             while rest:
                 rest = rest[os.write(self._file, rest) :]

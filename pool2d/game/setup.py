@@ -57,6 +57,9 @@ def setup_of(data: Mapping[str, Any], source: str) -> Setup:
     for key, kind in (("options", dict), ("names", list), ("game", str), ("breaks", str)):
         if not isinstance(data.get(key, kind()), kind):
             raise InputError(source, key, data[key], f"allowed is a {kind.__name__}")
+    for name in data.get("names", ()):
+        if not isinstance(name, str):
+            raise InputError(source, "names", name, "allowed is a text")
     return Setup(**{**data, "names": tuple(data.get("names", ()))})
 
 

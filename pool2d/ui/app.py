@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from operator import attrgetter
 
 import pygame
 
-from ..errors import InputError
+from ..errors import InputError, suggest
 from ..folders import pictures_folder
 from ..game.session import practice
 from ..preset import load_table
-from ..settings import GUIDES, Store
+from ..settings import GUIDES, Settings, Store
 from ..table import Table
 from . import text, words
 from .dialog import Dialog, ground
@@ -21,7 +22,7 @@ from .help import Help
 from .keys import KEYS, action_of
 from .lobby import Lobby
 from .menu import Menu
-from .options import Options
+from .options import OFFERED, Options
 from .play import Play
 from .replay_scene import Replay
 from .scene import Scene
@@ -71,6 +72,7 @@ class App:
         self._unsaved = 0.0
         # Whether what rests on the screen has been drawn as it rests.
         self._drawn = False
+        self._take_names()
         self.store.listeners.append(self._apply)
         self._apply()
         self._take_keys()
@@ -246,6 +248,14 @@ class App:
             self.store.complain(error)
         if wrong:
             self.store.bind(KEYS.names())
+
+    def _take_names(self) -> None:
+        """Drop the names among the settings that stand for nothing."""
+        for name, offered in OFFERED.items():
+            value = attrgetter(name)(self.store.values)
+            if value not in offered():
+                self.store.complain(InputError(str(self.store.path), name, value, suggest(value, offered())))
+                self.store.turn(name, attrgetter(name)(Settings()))
 
     def _keep(self, dt: float) -> None:
         """Keep what hands have changed in play, and write it once it has settled."""

@@ -17,6 +17,7 @@ from pool2d.game.reel import Reel
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
 from pool2d.preset import preset_path
+from pool2d.settings import Store
 from pool2d.ui import text
 from pool2d.ui.app import App
 from pool2d.ui.help import Help, hands, keys
@@ -285,3 +286,16 @@ def test_the_window_is_named_after_the_table_of_a_replay(hand: Hand) -> None:
     assert "Snooker" in pygame.display.get_caption()[0]
     hand.key(pygame.K_ESCAPE)
     assert "Snooker" not in pygame.display.get_caption()[0]
+
+
+def test_names_among_the_settings_that_stand_for_nothing_are_told_and_dropped(tmp_path: Path) -> None:
+    path = tmp_path / "settings.toml"
+    path.write_text('[balls]\npalette = "neon"\n[screen]\nlanguage = "xx"\n')
+    app = App(load_table("pool-9ft"), seed=1, store=Store(path))
+    try:
+        told = " ".join(note.words for note in app.toasts.notes)
+        assert "balls.palette = 'neon'" in told and "screen.language = 'xx'" in told
+        assert (app.store.values.balls.palette, app.store.values.screen.language) == ("standard", "auto")
+        assert "neon" in path.with_name("settings.toml.bad").read_text()
+    finally:
+        app.close()
