@@ -18,7 +18,7 @@ from pool2d.game.record import load
 from pool2d.game.recorder import record
 from pool2d.game.reel import Reel
 from pool2d.game.session import Session
-from pool2d.game.setup import Setup
+from pool2d.game.setup import LAG, Setup
 from pool2d.ui.drill_scene import DrillPlay
 from pool2d.ui.inputs import Slider
 from pool2d.ui.replay_scene import Replay
@@ -158,6 +158,18 @@ def match(hand: Hand, game: str = "eight-ball", speed: float = 9.5) -> Session:
     return session
 
 
+def lag(hand: Hand) -> None:
+    """The second ball is on its way back."""
+    setup = Setup("nine-ball", names=("Ann", "Bob"), race=3, breaker=LAG, seed=4)
+    session = Session(Match(hand.play.session.table, setup))
+    hand.app.scene = hand.app.lobby.begin(session)
+    for speed in (1.42, 1.46):
+        hand.point(2.0, session.cue.y)
+        hand.play.hands.aim = hand.play.hands.aim.with_speed(speed)
+        hand.strike() if session.strokes == 0 else hand.key(pygame.K_SPACE)
+    run(hand, 3.5)
+
+
 def choosing(hand: Hand) -> None:
     """The opponent may choose what follows a break that was too soft."""
     match(hand, speed=1.0)
@@ -251,6 +263,7 @@ SCENES: dict[str, Scene] = {
     "german": Scene("In German, with colours and patterns for colour-blind eyes", german),
     "menu": Scene("The menu", lambda hand: scene(hand, lambda hand: hand.app.lobby.menu())),
     "new-match": Scene("A new match", new_match),
+    "lag": Scene("A lag: who comes nearer to the head cushion chooses who breaks", lag),
     "choice": Scene("After a break that was too soft: what may be chosen", choosing),
     "call": Scene("A pocket is called by a click", calling),
     "snooker": Scene("Snooker: the cue ball in the D", snooker, "snooker-12ft"),

@@ -99,7 +99,7 @@ class Referee:
 
     def verdict(self, session: Session) -> str:
         """What the last ruling says, in sentences, and what it leaves to the player."""
-        ask, said = session.ask, [rulings.verdict(session.match.now, session.match.names)]
+        ask, said = session.ask, [rulings.verdict(session.match.now, session.match)]
         on = {rulings.ball(ball) for ball in ask.on}
         if ask.kind in (AIM, PLACE) and len(on) == 1 and not session.free:
             said.append(say("referee.on", ball=on.pop()))
@@ -114,6 +114,7 @@ class Referee:
 
         Returns how wide it is there.
         """
+        self.follow(session)
         unit, count = screen.unit, len(self.form.widgets)
         if not count:
             return 0

@@ -120,7 +120,7 @@ def caption(replay: Replay) -> tuple[str, bool]:
         return say("replay.differs"), True
     if shown.ended:
         said = [say("replay.undone")] if take.line in replay.reel.undone else []
-        return " ".join([*said, rulings.verdict(take.moment, take.match.names)]), False
+        return " ".join([*said, rulings.verdict(take.moment, take.match)]), False
     if shown.time <= 0.0:
         return called(take), False
     if replay.reel.fault is not None and replay.at + 1 == len(replay.reel):
@@ -130,7 +130,7 @@ def caption(replay: Replay) -> tuple[str, bool]:
 
 def line(reel: Reel, take: Take) -> str:
     """A shot in a list: its number, who played it, and what came of it."""
-    notes = rulings.verdict(take.moment, take.match.names)
+    notes = rulings.verdict(take.moment, take.match)
     name = take.match.names[take.moment.shooter]
     back = f" ({say('replay.taken_back')})" if take.line in reel.undone else ""
     return f"{take.number}   {name}{back}   {notes}".rstrip()

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from string import digits
 
 from ..game.drills import Drill, Wording
-from ..game.match import Moment
+from ..game.match import Match, Moment
 from ..game.rules import Note
 from ..game.rules import words as rules
 from .telling import ball_name, place_name
@@ -52,11 +52,15 @@ def missed(key: str) -> str:
     return say(f"drill.missed.{key}") if key else ""
 
 
-def verdict(moment: Moment, names: Sequence[str]) -> str:
-    """What fell in a stroke, and what the ruling says of it."""
-    fell = moment.report.potted if moment.report is not None else ()
-    said = [say("referee.fell", balls=", ".join(ball(one) for one in fell))] if fell else []
-    return " ".join([*said, *(told(note, names) for note in moment.ruling.notes)])
+def verdict(moment: Moment, match: Match) -> str:
+    """What fell in a stroke of a match, and what the ruling says of it."""
+    said = []
+    if moment.report is not None and match.table.geometry.pockets:
+        if fell := moment.report.potted:
+            said.append(say("referee.fell", balls=", ".join(ball(one) for one in fell)))
+        elif not moment.ruling.foul:
+            said.append(say("referee.none_fell"))
+    return " ".join([*said, *(told(note, match.names) for note in moment.ruling.notes)])
 
 
 def _template(key: str) -> dict[str, str]:

@@ -156,7 +156,7 @@ def test_a_record_is_listed(recorded: Path, capsys: pytest.CaptureFixture[str]) 
         (["--gif", "a.png"], "a.png: a moving picture's name ends in .gif"),
         (["--gif", "a.gif", "--shot", "3"], "--shot = 3: allowed is 1 to 2"),
         (["--gif", "a.gif", "--shot", "x"], "--shot = 'x': allowed is a number"),
-        (["--gif", "a.gif", "--size", "x"], "--size = ''"),
+        (["--gif", "a.gif", "--size", "x"], "--size = 'x'"),
         (["--gif", "/dev/null/a.gif"], "/dev/null/a.gif: cannot be written"),
         (["--png", "/dev/null/a"], "/dev/null/a: cannot be written"),
         (["--verify", "--list"], "not allowed with"),
