@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 import pygame
 
 from ..game.actions import Stroke
-from ..game.match import Moment
 from ..game.record import Take
 from ..game.reel import Reel
 from ..game.report import Call
-from . import pen, play_art, rulings, shapes, text, theme, vectors
+from . import pen, play_art, rulings, scoreboard, shapes, text, theme, vectors
 from .debug import ScreenPen, draw_geometry
 from .effects import effects_of
 from .hud import Screen
@@ -76,30 +75,8 @@ def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: Ta
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
     replay.stage.tray(surface)
     # Until a shot has come to its end the score is the one that it was played at.
-    _players(surface, screen, take, take.moment if replay.playback.ended else take.before)
-
-
-def _players(surface: pygame.Surface, screen: Screen, take: Take, moment: Moment) -> None:
-    """Names and scores, from the right; who played the shot stands out."""
-    x, y = float(screen.width - 2 * screen.unit), screen.top.centery
-    names = take.match.names
-    widest = (screen.width - screen.tray.right - (1 + 2 * len(names)) * screen.unit) // len(names)
-    for player in reversed(range(len(names))):
-        score = standing(take, moment, player)
-        color = theme.ACCENT if player == take.moment.shooter else theme.QUIET
-        room = widest - text.font(screen.small).size(score)[0] - screen.unit
-        told = text.draw(surface, score, screen.small, theme.TEXT, (x, y), (1.0, 0.5))
-        name = text.fitted(names[player], screen.small, room)
-        told = text.draw(surface, name, screen.small, color, (told.left - screen.unit, y), (1.0, 0.5))
-        x = told.left - 3.0 * screen.unit
-
-
-def standing(take: Take, moment: Moment, player: int) -> str:
-    """How a player stands: the frames won, where there are several to win, and the points of this one."""
-    frames, points = str(moment.tallies[player].frames), str(moment.state.scores[player])
-    if not take.match.rules.scored:
-        return frames
-    return points if take.match.setup.race == 1 else f"{frames} ({points})"
+    moment = take.moment if replay.playback.ended else take.before
+    scoreboard.draw_beside(surface, screen, take.match, moment, take.moment.shooter)
 
 
 def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.Color) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pygame
 
 from ..game.match import Match, Moment
@@ -10,28 +12,52 @@ from .hud import Screen
 from .telling import place_name
 from .words import say, say_or
 
+# Words, their size and colour.
+Part = tuple[str, int, theme.Color]
+
 
 def draw(surface: pygame.Surface, screen: Screen, match: Match, moment: Moment) -> None:
     """Draw the first player on the left and the second on the right, as they stood at a moment."""
-    unit, y = screen.unit, screen.top.centery
+    unit = screen.unit
+    room = screen.tray.left - 4 * unit
     for player in range(len(match.names)):
-        turn = moment.ruling.ask.who == player and not moment.state.over
-        side = -1 if player else 1
-        edge = screen.width - 2 * unit if player else 2 * unit
-        anchor = (1.0 if player else 0.0, 0.5)
+        turn = _has_turn(moment, player)
         if turn:
-            pygame.draw.rect(surface, theme.ACCENT, (screen.width - unit if player else 0, 0, unit, screen.top.height))
-        x = edge
-        for words, size, color in _parts(match, moment, player, turn, screen):
-            shown = text.fitted(words, size, screen.tray.left - 2 * unit - abs(x - edge))
-            text.draw(surface, shown, size, color, (x, y), anchor)
-            x += side * (text.font(size).size(shown)[0] + 2 * unit)
+            mark = (screen.width - unit if player else 0, 0, unit, screen.top.height)
+            pygame.draw.rect(surface, theme.ACCENT, mark)
+        edge = screen.width - 2 * unit if player else 2 * unit
+        _line(surface, screen, _parts(match, moment, player, turn, screen), (edge, -1 if player else 1), room)
 
 
-def _parts(match: Match, moment: Moment, player: int, turn: bool, screen: Screen) -> list[tuple[str, int, theme.Color]]:
-    """What is told of a player, from the edge inward: points, name, the rest."""
+def draw_beside(surface: pygame.Surface, screen: Screen, match: Match, moment: Moment, shooter: int) -> None:
+    """Draw all players side by side to the right of the tray; who played the shot stands out."""
+    unit, players = screen.unit, len(match.names)
+    room = (screen.width - screen.tray.right - 3 * unit) // players
+    for player in range(players):
+        edge = screen.width - 2 * unit - (players - 1 - player) * room
+        _line(surface, screen, _parts(match, moment, player, player == shooter, screen), (edge, -1), room - 2 * unit)
+
+
+def _has_turn(moment: Moment, player: int) -> bool:
+    return moment.ruling.ask.who == player and not moment.state.over
+
+
+def _line(
+    surface: pygame.Surface, screen: Screen, parts: Sequence[Part], start: tuple[int, int], room: int
+) -> None:  # fmt: skip
+    """Draw what is told of a player from an edge into a direction, as much as there is room for."""
+    edge, side = start
+    x = edge
+    for words, size, color in parts:
+        shown = text.fitted(words, size, room - abs(x - edge))
+        text.draw(surface, shown, size, color, (x, screen.top.centery), (0.0 if side > 0 else 1.0, 0.5))
+        x += side * (text.font(size).size(shown)[0] + 2 * screen.unit)
+
+
+def _parts(match: Match, moment: Moment, player: int, turn: bool, screen: Screen) -> list[Part]:
+    """What is told of a player, from the edge inward: points, name, the rest; one who has the turn stands out."""
     state = moment.state
-    parts: list[tuple[str, int, theme.Color]] = []
+    parts: list[Part] = []
     if match.rules.scored:
         parts.append((str(state.scores[player]), screen.large, theme.TEXT))
     parts.append((match.names[player], screen.small, theme.ACCENT if turn else theme.TEXT))

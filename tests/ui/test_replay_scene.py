@@ -20,7 +20,7 @@ from pool2d.game.reel import Reel
 from pool2d.game.report import Call
 from pool2d.game.setup import Setup
 from pool2d.physics.values import Shot
-from pool2d.ui import replay_art, start
+from pool2d.ui import replay_art, start, text
 from pool2d.ui.app import App
 from pool2d.ui.entry import Entry
 from pool2d.ui.pick import Pick
@@ -173,10 +173,25 @@ def test_a_call_is_told_in_words(tmp_path: Path) -> None:
     assert replay_art.called(second) == ""
 
 
-def test_the_score_is_the_one_of_the_moment(viewer: Viewer) -> None:
-    take = viewer.replay.reel[0]
-    assert [replay_art.standing(take, moment, 0) for moment in (take.before, take.moment)] == ["0", "0"]
-    assert take.moment.shooter == take.before.state.turn
+def test_the_score_is_the_one_of_the_moment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "s.jsonl"
+    with record(Match(load_table("snooker-12ft"), Setup("snooker", breaker=0)), path) as recorder:
+        recorder.play(Stroke(Shot(180.0, 0.5)))
+    told: list[str] = []
+    real = text.draw
+
+    def note(surface: pygame.Surface, words: str, *more: object) -> pygame.Rect:
+        told.append(words)
+        return real(surface, words, *more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(text, "draw", note)
+    viewer = Viewer(path)
+    assert "4" not in told and told.count("0") >= 2
+    told.clear()
+    viewer.key(pygame.K_END)
+    # The cue ball hit nothing: four points for the other, once the shot has come to its end.
+    assert "4" in told and "0" in told
+    viewer.app.close()
 
 
 def test_other_keys_open_help_and_options_and_come_back_to_the_same_moment(viewer: Viewer) -> None:
