@@ -81,6 +81,14 @@ def preset_files(table: Table) -> list[Path]:
     return bases + [catalogue.find(catalogue.CONDITIONS, name) for name in table.conditions]
 
 
+def title_of(name: str) -> str:
+    """The title of a preset; its name where it cannot be read."""
+    try:
+        return read_preset(name).title
+    except InputError:
+        return name
+
+
 def read_preset(name: str, conditions: Sequence[str] = ()) -> Preset:
     """A preset with its bases and conditions; raises InputError, naming the file and the key."""
     chain = _chain(name)

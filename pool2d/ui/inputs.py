@@ -147,12 +147,14 @@ class Choice(Widget):
 
 
 class ListBox(Widget):
-    """Names below each other, one of which is chosen; it scrolls to keep that in sight."""
+    """Names below each other, one of which is chosen; it scrolls to keep that in sight. `shown` is how one is told."""
 
     def __init__(
-        self, options: Callable[[], Sequence[str]], get: Callable[[], str], put: Callable[[str], None], lines: int = 8
-    ) -> None:
+        self, options: Callable[[], Sequence[str]], get: Callable[[], str], put: Callable[[str], None], lines: int = 8,
+        shown: Callable[[str], str] = str,
+    ) -> None:  # fmt: skip
         super().__init__()
+        self.shown = shown
         self.options = options
         self.get = get
         self.put = put
@@ -191,7 +193,7 @@ class ListBox(Widget):
             if name == self.get() or over:
                 color = theme.SELECTED if name == self.get() else theme.FACE_LIT
                 plate(surface, line.inflate(-unit // 2, -unit // 4), color, unit, None)
-            shown = text.fitted(name, unit * 7 // 4, line.width - 3 * unit)
+            shown = text.fitted(self.shown(name), unit * 7 // 4, line.width - 3 * unit)
             text.draw(surface, shown, unit * 7 // 4, theme.TEXT, (line.left + unit * 3 // 2, line.centery), (0.0, 0.5))
         if mark is not None:
             shapes.rounded(surface, mark, theme.QUIET if hovered else theme.EDGE, unit)

@@ -23,6 +23,7 @@ from .play import Play
 from .replays import RecordShelf, about, open_replays
 from .rulings import title
 from .scene import Scene
+from .table_shelf import TableShelf
 from .words import say
 
 
@@ -51,6 +52,7 @@ class Lobby:
             *self._going_on(lambda: menu),
             Way(lambda: say("menu.new"), lambda: self._new_match(menu)),
             Way(lambda: title(PRACTICE), lambda: self.play),
+            Way(lambda: say("menu.tables"), lambda: TableShelf(menu, self.play)),
             Way(lambda: say("drill.title"), lambda: DrillShelf(menu, self.play)),
             Way(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds)),
             *self._always(lambda: menu),

@@ -11,7 +11,7 @@ from ..game.rules.base import YES_NO
 from ..game.session import PRACTICE, Session, recorded
 from ..game.setup import BREAKS, COIN, LAG, Setup, can_lag
 from ..knobs import Knob, walk
-from ..preset import load_table, presets, read_preset
+from ..preset import load_table, presets, title_of
 from ..settings import Store
 from ..table import Table
 from . import rulings, theme
@@ -182,10 +182,7 @@ class NewMatch(Dialog):
         table = self._tables.get(name)
         if name == TUNED and table is not None:
             return say("match.tuned", table=table.title)
-        try:
-            return read_preset(name).title if table is None else table.title
-        except InputError:
-            return name
+        return title_of(name) if table is None else table.title
 
     def _breakers(self) -> list[str]:
         """Who may be said to break first, as a setup has them."""

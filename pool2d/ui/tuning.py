@@ -12,7 +12,7 @@ from ..knobs import Knob, walk
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import Layout, Shot
-from ..preset import conditions, load_table, presets
+from ..preset import conditions, load_table, presets, title_of
 from ..table import Table
 from . import theme
 from .form import Form
@@ -52,6 +52,7 @@ class Tuning:
         self._save = save
         self._go_to = go_to
         self.chosen = session.table.source
+        self._titles: dict[str, str] = {}
         self.form = Form([])
         self.lay_out()
 
@@ -193,7 +194,7 @@ class Tuning:
                     self._compared,
                     self.compare,
                     say("tuning.compare_hint"),
-                    lambda name: say("tuning.nothing") if name == NOTHING else name,
+                    lambda name: say("tuning.nothing") if name == NOTHING else self._title(name),
                 )
             ],
         ]
@@ -203,12 +204,18 @@ class Tuning:
         if self.page != "table":
             return []
         return [
-            [ListBox(presets, lambda: self.chosen, self._choose, lines=6)],
+            [ListBox(presets, lambda: self.chosen, self._choose, lines=6, shown=self._title)],
             [Button(say("tuning.go"), self.go, say("tuning.go_hint"))],
         ]
 
     def _choose(self, name: str) -> None:
         self.chosen = name
+
+    def _title(self, name: str) -> str:
+        """The title of a preset; its file is read once as long as the panel is open."""
+        if name not in self._titles:
+            self._titles[name] = title_of(name)
+        return self._titles[name]
 
     def _conditions(self) -> str:
         return ", ".join(self.session.table.conditions) or NOTHING

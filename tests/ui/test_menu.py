@@ -20,12 +20,14 @@ from pool2d.ui.app import App
 from pool2d.ui.dialog import Confirm
 from pool2d.ui.drill_shelf import DrillShelf
 from pool2d.ui.ended import FrameOver
+from pool2d.ui.entry import Entry
 from pool2d.ui.help import Help
 from pool2d.ui.menu import Menu
 from pool2d.ui.new_match import TUNED, NewMatch
 from pool2d.ui.options import Options
 from pool2d.ui.play import Play
 from pool2d.ui.replays import RecordShelf
+from pool2d.ui.table_shelf import TableShelf
 
 from .conftest import Hand
 
@@ -87,7 +89,7 @@ def shown(hand: Hand) -> object:
 
 
 def test_the_menu_offers_what_there_is(guest: Hand) -> None:
-    assert labels(guest) == ["New match", "Practice", "Drills", "Replays", "Options", "Help", "Quit"]
+    assert labels(guest) == ["New match", "Practice", "Practice tables", "Drills", "Replays", "Options", "Help", "Quit"]
 
 
 @pytest.mark.parametrize("by_mouse", [False, True])
@@ -404,3 +406,21 @@ def test_pages_open_over_the_menu_by_their_keys(guest: Hand) -> None:
         assert shown(guest) is kind
         guest.key(pygame.K_ESCAPE)
         assert shown(guest) is Menu
+
+
+def test_a_table_is_chosen_for_practice(guest: Hand, tmp_path: Path) -> None:
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "odd.toml").write_text("nothing = 3\n")
+    choose(guest, "Practice tables")
+    shelf = guest.app.scene
+    assert isinstance(shelf, TableShelf)
+    entries = {line.label: line for line in shelf.form.widgets if isinstance(line, Entry)}
+    assert entries["Snooker, 12 ft"].below == "Snooker" and entries["Pyramid, 12 ft"].below == ""
+    assert "nothing" in entries["odd"].below
+    shelf.form.focus = entries["odd"]
+    guest.key(pygame.K_RETURN)
+    assert shown(guest) is TableShelf and "nothing" in shelf.wrong
+    shelf.form.focus = next(line for line in shelf.form.widgets if getattr(line, "label", "") == "Snooker, 12 ft")
+    guest.key(pygame.K_RETURN)
+    assert shown(guest) is Play
+    assert guest.play.session.free and guest.play.session.table.source == "snooker-12ft"
