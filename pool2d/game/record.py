@@ -76,7 +76,7 @@ class Record:
 
     @property
     def frames(self) -> tuple[int, ...]:
-        """How many frames each player had won when it was left, without playing it; empty in a race to one."""
+        """How many frames each player had won, without playing it; empty in a race to one that is not won."""
         won = self.entries[-1].data.get("frames", []) if self.entries else []
         whole = isinstance(won, list) and len(won) == 2 and all(type(frames) is int for frames in won)
         return tuple(won) if whole else ()
@@ -189,7 +189,7 @@ def body_of(match: Match, do: str = "") -> dict[str, Any]:
     if not do and moment.rollout is not None:
         body["digest"] = moment.rollout.digest()
     body["state"] = digest(match)
-    if match.setup.race > 1:
+    if match.setup.race > 1 or match.over:
         body["frames"] = list(match.frames)
     return {**body, "over": True} if match.over else body
 

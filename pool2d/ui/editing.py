@@ -175,7 +175,7 @@ class Editing:
             return True
         if placed:
             play.hands.hold = play.hands.pointer
-            play.tell("")
+            play.tell_the_word()
         return placed
 
     # What all of them do.

@@ -7,16 +7,33 @@ from collections.abc import Callable, Sequence
 import pygame
 
 from ..game.match import Match
-from . import text, theme
+from . import rulings, text, theme
 from .dialog import Dialog
-from .rulings import title
-from .scene import Scene
+from .scene import GUARD, Scene
 from .widgets import Button, Gap, Heading, Widget
 from .words import number, say
 
 
-class FrameOver(Dialog):
-    """Between two frames: who won the last, and the score."""
+class End(Dialog):
+    """An end, which comes of itself: keys that were meant for the shot before it do nothing here."""
+
+    def __init__(self, below: Scene, title: str, rows: list[list[Widget]]) -> None:
+        super().__init__(below, title, rows)
+        self.form.focus = self.form.widgets[-1]
+        self._age = 0.0
+
+    def handle(self, event: pygame.event.Event) -> Scene | None:
+        if event.type == pygame.KEYDOWN and self._age < GUARD:
+            return self
+        return super().handle(event)
+
+    def update(self, dt: float) -> Scene | None:
+        self._age += dt
+        return super().update(dt)
+
+
+class FrameOver(End):
+    """Between two frames: who won the last and why, and the score."""
 
     def __init__(
         self, below: Scene, match: Match, on: Callable[[], Scene], leave: Callable[[], Scene]
@@ -27,6 +44,7 @@ class FrameOver(Dialog):
             below,
             won,
             [
+                [Heading(lambda: rulings.verdict(match.now, match), lines=2)],
                 [Heading(lambda: say("ended.race", count=match.setup.race))],
                 [Score(match)],
                 [Gap(0.4)],
@@ -36,11 +54,10 @@ class FrameOver(Dialog):
                 ],
             ],
         )
-        self.form.focus = self.form.widgets[-1]
 
 
-class MatchOver(Dialog):
-    """The end of a match: the winner, and the numbers of both players."""
+class MatchOver(End):
+    """The end of a match: the winner and why, and the numbers of both players."""
 
     def __init__(self, below: Scene, match: Match, again: Callable[[], Scene], leave: Callable[[], Scene]) -> None:
         assert match.winner is not None
@@ -48,7 +65,8 @@ class MatchOver(Dialog):
             below,
             say("ended.match", name=match.names[match.winner]),
             [
-                [Heading(lambda: title(match.setup.game))],
+                [Heading(lambda: rulings.verdict(match.now, match), lines=2)],
+                [Heading(lambda: rulings.title(match.setup.game))],
                 [Score(match)],
                 [Gap(0.2)],
                 [Grid(statistics(match))],
@@ -59,7 +77,6 @@ class MatchOver(Dialog):
                 ],
             ],
         )
-        self.form.focus = self.form.widgets[-1]
 
 
 class Score(Widget):

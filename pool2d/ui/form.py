@@ -50,6 +50,9 @@ class Form:
         self._held = self._held if self._held in self.widgets else None
         if self._hovered not in self.widgets:
             self._hovered = None
+        if self.rect.width:
+            # The next event may come before the next picture.
+            self.place(self.rect, self.unit)
 
     def height(self, unit: int) -> int:
         """How tall the rows are, in pixels."""

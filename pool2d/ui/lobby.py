@@ -12,6 +12,7 @@ from ..game.record import load
 from ..game.recorder import records, resume, unfinished
 from ..game.session import PRACTICE, Session, practice, recorded
 from ..settings import Store
+from .aim import Aim
 from .dialog import Confirm
 from .drill_shelf import DrillShelf
 from .ended import FrameOver, MatchOver
@@ -39,8 +40,8 @@ class Lobby:
         self.tell = tell
         self._told: InputError | None = None
         self._damaged: Path | None = None
-        # What is practised at, while a match is played.
-        self._practice: Session | None = None
+        # What is practised, and how the cue is held there, while a match is played.
+        self._practice: tuple[Session, Aim] | None = None
         play.paused = self.pause
         play.ended = self.ended
 
@@ -54,7 +55,7 @@ class Lobby:
             Way(lambda: title(PRACTICE), lambda: self.play),
             Way(lambda: say("menu.tables"), lambda: TableShelf(menu, self.play)),
             Way(lambda: say("drill.title"), lambda: DrillShelf(menu, self.play)),
-            Way(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds)),
+            Way(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds, self.menu)),
             *self._always(lambda: menu),
         ]
         menu = Menu(self.play, Banner(), entries)
@@ -85,14 +86,17 @@ class Lobby:
     def begin(self, session: Session) -> Scene:
         """Play a session, in place of the one so far; what follows from where it stands."""
         if self.play.session.free:
-            self._practice = self.play.session
+            self._practice = self.play.session, self.play.hands.aim
+        self.play.hands.take_over()
         self.play.begin(session)
         return self.ended() or self.play
 
     def leave(self) -> Scene:
         """Go to the menu; a match that is left can be continued, and practice goes on where it was."""
         if not self.play.session.free:
-            self.play.begin(self._practice or practice(self.play.session.table, _seed()))
+            session, aim = self._practice or (practice(self.play.session.table, _seed()), Aim())
+            self.play.begin(session)
+            self.play.hands.aim = aim
         return self.menu()
 
     def watch(self) -> None:
@@ -128,7 +132,7 @@ class Lobby:
 
     def _others(self, menu: Scene) -> Scene:
         """The matches that can be continued, to choose one of."""
-        return RecordShelf(menu, lambda: say("menu.others"), unfinished, self._taken_up)
+        return RecordShelf(menu, lambda: say("menu.others"), unfinished, self._taken_up, self.menu)
 
     def _look_at_latest(self) -> None:
         """Tell once where the record of the match played last is damaged, as it cannot be continued."""

@@ -17,14 +17,12 @@ from .keys import action_of, fine_step
 from .playback import Playback
 from .positions import Positions
 from .saving import ask_to_save
-from .scene import Scene
+from .scene import GUARD, Scene
 from .sitting import Sitting
 from .sound import Sounds
 from .tuning import Tuning
 from .words import say
 
-# A key that struck or skipped a shot and is still pressed, or again, strikes no other so soon after, s.
-_GUARD = 0.35
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
 
@@ -63,9 +61,10 @@ class Play(Sitting):
     @property
     def still(self) -> bool:
         """Whether it would look the same at the next frame, unless an event comes."""
-        shown = self.playback is None or self.playback.still
-        read = self.playback is not None or self.word is None or self.told == self.word
-        return shown and read and self.stage.still and self.tuning is None
+        if self.playback is not None:
+            return self.playback.still and self.stage.still and self.tuning is None
+        read = self.word is None or self.told == self.word
+        return read and not self._guarded and self.stage.still and self.tuning is None
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if self.tuning is not None and not self.hands.busy and self.tuning.handle(event):
@@ -160,6 +159,8 @@ class Play(Sitting):
 
     def _referred(self, event: pygame.event.Event) -> bool:
         """Hand an event to the referee; whether it was meant for it, and what came of it is told."""
+        if self._guarded and event.type == pygame.KEYDOWN:
+            return False
         moment = self.session.match.now
         try:
             taken = self.referee.handle(event, self.session)
@@ -195,8 +196,13 @@ class Play(Sitting):
             self.playback.leave()
         elif self._holding:
             self._place()
-        elif self._rested > _GUARD:
+        elif not self._guarded:
             self._strike(self.hands.aim.speed)
+
+    @property
+    def _guarded(self) -> bool:
+        """Whether the balls have come to rest just now, so that a key may still be meant for the shot."""
+        return self._rested <= GUARD
 
     def _show_geometry(self) -> None:
         self.geometry = not self.geometry

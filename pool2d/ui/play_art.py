@@ -139,7 +139,9 @@ def _bars(surface: pygame.Surface, play: Play) -> None:
         scoreboard.draw(surface, screen, session.match, session.match.history[-2 if first else -1])
     play.stage.tray(surface)
     if session.ask.kind != CHOOSE or play.playback is not None:
-        hud.draw_controls(surface, screen, hands.aim, hands.speed, session.table.knobs.cue.tip_friction)
+        struck = play.playback.shot if play.playback is not None else None
+        speed = hands.speed if struck is None else struck.speed
+        hud.draw_controls(surface, screen, hands.aim, speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
     message = wrong or f"{play.message} {notes(play, hands.speed)}".strip()
     taken = play.referee.place(screen, session) if play.playback is None else 0

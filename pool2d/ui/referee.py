@@ -8,7 +8,7 @@ import pygame
 
 from ..game.match import Moment
 from ..game.report import Call
-from ..game.rules import AIM, CHOOSE, OVER, PLACE
+from ..game.rules import AIM, CHOOSE, OVER, PLACE, Ask
 from ..game.session import Session, placing
 from . import pen, rulings, telling, theme
 from .form import Form
@@ -93,21 +93,36 @@ class Referee:
         """What to say of an aim that would hit a ball that is not on; empty where all is well."""
         ask = session.ask
         wanted = (self.ball,) if ask.call == "ball" and self.ball else ask.on
-        if session.free or ask.kind != AIM or not aimed or aimed in wanted:
+        if session.free or self.push or ask.kind != AIM or not aimed or aimed in wanted:
             return ""
         return say("referee.not_on", ball=rulings.ball(aimed))
 
     def verdict(self, session: Session) -> str:
         """What the last ruling says, in sentences, and what it leaves to the player."""
-        ask, said = session.ask, [rulings.verdict(session.match.now, session.match)]
-        on = {rulings.ball(ball) for ball in ask.on}
-        if ask.kind in (AIM, PLACE) and len(on) == 1 and not session.free:
-            said.append(say("referee.on", ball=on.pop()))
-        if ask.kind == AIM and ask.where:
+        ask = session.ask
+        # To put the cue ball down is no news.
+        moment = next(moment for moment in reversed(session.match.history) if not placing(moment))
+        said = [rulings.verdict(moment, session.match)]
+        if ask.kind in (AIM, PLACE) and not session.free:
+            said += self._on(ask)
+        if ask.kind == AIM and ask.where and not any(note.key.startswith("in-hand") for note in moment.ruling.notes):
             said.append(say(f"referee.movable.{ask.where}"))
         if ask.kind == OVER:
             said.append(say("referee.over", key=KEYS.shown("strike")))
         return " ".join(said)
+
+    def _on(self, ask: Ask) -> list[str]:
+        """What may be hit, where that is one ball or one of many alike, or has to be named."""
+        names = {rulings.ball(ball) for ball in ask.on}
+        said = []
+        if len(names) == 1:
+            alike = len(ask.on) > 1
+            said.append(say("referee.on_any", ball=names.pop()) if alike else say("referee.on", ball=names.pop()))
+        elif ask.call == "ball":
+            said.append(say("referee.name_one"))
+        if "push" in ask.may:
+            said.append(say("referee.may_push"))
+        return said
 
     def place(self, screen: Screen, session: Session) -> int:
         """Lay the strip out in the lower bar: a choice where else the cue's diagrams are, calls at the end.

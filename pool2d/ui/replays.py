@@ -22,22 +22,30 @@ from .widgets import Widget
 from .words import say
 
 
-def open_replays(below: Scene, store: Store | None = None, sounds: Sounds | None = None) -> Scene:
-    """The player's records, the latest first, to look at one; Esc goes back to `below`."""
+def open_replays(
+    below: Scene, store: Store | None = None, sounds: Sounds | None = None,
+    renewed: Callable[[], Scene] | None = None,
+) -> Scene:  # fmt: skip
+    """The player's records, the latest first, to look at one; Esc goes back to `below`, or what is `renewed`."""
 
     def watch(path: Path) -> Scene:
         return Replay(Reel(load(path, torn=True)), below, store, sounds)
 
-    return RecordShelf(below, lambda: say("replay.title") if records() else say("replay.none"), records, watch)
+    named = lambda: say("replay.title") if records() else say("replay.none")  # noqa: E731
+    return RecordShelf(below, named, records, watch, renewed)
 
 
 class RecordShelf(Shelf):
-    """Records, which may be damaged; `open` leads on from one, and may raise InputError."""
+    """Records, which may be damaged; `open` leads on from one, and may raise InputError.
+
+    Once one has been thrown away, the way back leads to what `renewed` makes in place of `below`.
+    """
 
     def __init__(
         self, below: Scene, named: Callable[[], str], paths: Callable[[], Sequence[Path]],
-        open: Callable[[Path], Scene],
+        open: Callable[[Path], Scene], renewed: Callable[[], Scene] | None = None,
     ) -> None:  # fmt: skip
+        self.renewed = renewed
         self.named = named
         self.paths = paths
         self.open = open
@@ -51,12 +59,17 @@ class RecordShelf(Shelf):
         return [self._entry(path) for path in self.paths()]
 
     def _entry(self, path: Path) -> Widget:
-        do, throw = self.telling(partial(self._open, path)), self.telling(partial(remove, path))
+        do, throw = self.telling(partial(self._open, path)), self.telling(partial(self._throw, path))
         try:
             players, game, when = about(path)
         except (InputError, OSError) as error:
             return Entry(path.stem, do, below=str(error), remove=throw)
         return Entry(players, do, note=title(game), below=when, remove=throw)
+
+    def _throw(self, path: Path) -> None:
+        remove(path)
+        if self.renewed is not None:
+            self.below = self._after = self.renewed()
 
     def _open(self, path: Path) -> None:
         self.go(self.open(path))

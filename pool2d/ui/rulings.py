@@ -55,11 +55,15 @@ def missed(key: str) -> str:
 def verdict(moment: Moment, match: Match) -> str:
     """What fell in a stroke of a match, and what the ruling says of it."""
     said = []
-    if moment.report is not None and match.table.geometry.pockets:
-        if fell := moment.report.potted:
-            said.append(say("referee.fell", balls=", ".join(ball(one) for one in fell)))
-        elif not moment.ruling.foul:
-            said.append(say("referee.none_fell"))
+    report = moment.report
+    if report is not None and report.call.push:
+        said.append(say("referee.pushed", player=match.names[moment.shooter]))
+    if report is not None and report.potted:
+        said.append(say("referee.fell", balls=", ".join(ball(one) for one in report.potted)))
+    elif report is not None and not moment.ruling.foul and match.table.geometry.pockets:
+        said.append(say("referee.none_fell"))
+    elif report is not None and not moment.ruling.foul and not any(moment.ruling.points):
+        said.append(say("referee.no_point"))
     return " ".join([*said, *(told(note, match.names) for note in moment.ruling.notes)])
 
 

@@ -6,6 +6,9 @@ from typing import Protocol
 
 import pygame
 
+# A key that skipped a shot and is pressed again does nothing else so soon after the balls have come to rest, s.
+GUARD = 0.35
+
 
 class Scene(Protocol):
     """A screen. The next state is the return value: a scene returns itself, another, or None to quit."""

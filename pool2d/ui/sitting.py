@@ -54,7 +54,7 @@ class Sitting:
         self.referee = Referee()
         self.tuning: Tuning | None = None
         self.effects = Effects()
-        self._told: Callable[[], str] = lambda: say("play.welcome", help=KEYS.shown("help"))
+        self._told: Callable[[], str] = self._welcome
         # How long that has been told, and how long the balls have been at rest, s.
         self._age = self._rested = math.inf
         self._who = session.ask.who
@@ -86,6 +86,9 @@ class Sitting:
         """What is told again once other things have been read; None in practice, where nobody rules."""
         return None if self.session.free else self._verdict
 
+    def _welcome(self) -> str:
+        return say("play.welcome", help=KEYS.shown("help"))
+
     def _verdict(self) -> str:
         return self.referee.verdict(self.session)
 
@@ -98,7 +101,8 @@ class Sitting:
         """What the upper bar tells of practice, on its left and on its right."""
         shot = say("play.shot", number=self.session.strokes + 1)
         note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=self.session.left)}"
-        return self.session.table.title, note
+        table = self.session.table
+        return say("play.tuned", table=table.title) if table.set or table.conditions else table.title, note
 
     @property
     def time(self) -> float:
@@ -126,7 +130,7 @@ class Sitting:
         self.session.leave()
         self.session = session
         self.referee = Referee()
-        self.told = self._verdict
+        self.told = self._welcome if session.free else self._verdict
         self._who = session.ask.who
         last = None
         for before, moment in pairwise(session.match.history):

@@ -13,7 +13,6 @@ from pool2d.game.rules import AIM, CHOOSE, Choice, Ruling
 from pool2d.game.rules.lag import Lag, LagState
 from pool2d.game.rules.spotting import put
 from pool2d.game.setup import LAG, Setup
-from pool2d.physics.values import POCKETED
 
 from .notation import after, report
 
@@ -72,10 +71,10 @@ def test_what_makes_a_lag_bad(seen: Lagged, note: str) -> None:
     start = RULES.start(1)
     assert start.ask.kind == AIM and start.ask.who == 1 and start.ask.ball == "8"
     ruling = lag(start, seen)
-    assert ruling.notes[0].key == note
+    assert ruling.notes[0 if note == "lag.rest" else 1].key == note
     # Whatever came of it, the other lags next; a bad ball is taken off.
     assert (ruling.ask.who, ruling.ask.ball) == (0, "cue")
-    assert (ruling.layout["8"].phase == POCKETED) == (note != "lag.rest")
+    assert ("8" in ruling.layout) == (note == "lag.rest")
 
 
 @pytest.mark.parametrize(
@@ -159,7 +158,7 @@ def test_a_ball_played_aslant_goes_astray() -> None:
     # Over the long string, off the foot cushion and back, by way of no side cushion.
     angle = -7.0 if game.layout[game.ask.ball].y > TABLE.knobs.table.width / 2 else 7.0
     play(game, 1.4, angle=angle)
-    assert game.now.ruling.notes[0].key == "lag.astray"
+    assert [note.key for note in game.now.ruling.notes[:2]] == ["lag.bad", "lag.astray"]
 
 
 def test_a_lag_may_begin_again_by_agreement() -> None:

@@ -65,6 +65,11 @@ def test_between_frames_the_score_is_told_and_the_next_begins(hand: Hand) -> Non
 def test_esc_shows_the_table_and_esc_again_the_end(hand: Hand) -> None:
     playing(hand, race=2)
     concede(hand, 1)
+    # A key that was meant for the shot before leads nowhere.
+    for key in (pygame.K_ESCAPE, pygame.K_SPACE):
+        hand.key(key)
+        assert isinstance(hand.app.scene, FrameOver)
+    hand.app.step(0.5)
     hand.key(pygame.K_ESCAPE)
     assert hand.app.scene is hand.play
     hand.key(pygame.K_ESCAPE)

@@ -13,7 +13,7 @@ from pool2d.ui import guide, play_art, rulings, scoreboard, words
 from pool2d.ui.aim import Aim
 from pool2d.ui.ended import FrameOver
 
-from .conftest import Hand
+from .conftest import FRAME, Hand
 
 
 def begin(hand: Hand, game: str = "eight-ball", table: str = "pool-9ft", **more: object) -> Session:
@@ -293,10 +293,43 @@ def test_a_strike_key_that_is_hit_on_and_on_plays_no_shot_for_the_other(hand: Ha
     session = begin(hand, "nine-ball")
     for _ in range(6):
         hand.key(pygame.K_SPACE)
-    assert session.strokes == 1
+    assert session.strokes == 1 and session.ask.kind == AIM
+    # A window that were still would sleep, and never come to the end of that.
+    assert not hand.play.still
+    for _ in range(30):
+        hand.app.step(FRAME)
+    hand.key(pygame.K_SPACE)
+    assert session.strokes == 2
+
+
+def test_nor_does_it_choose(hand: Hand) -> None:
+    session = begin(hand)
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
+    for _ in range(6):
+        hand.key(pygame.K_SPACE)
+    assert session.ask.kind == CHOOSE and session.strokes == 1
     hand.app.step(0.5)
-    hand.play.session.choose(session.ask.options[0]) if session.ask.options else None
-    assert session.strokes == 1
+    hand.key(pygame.K_SPACE)
+    assert session.ask.kind != CHOOSE
+
+
+def test_a_push_out_is_told_of(hand: Hand) -> None:
+    session = begin(hand, "nine-ball")
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.02)
+    hand.strike()
+    while session.ask.kind == CHOOSE or session.ask.where:
+        session.place(0.5, 0.5) if session.ask.where else session.choose(session.ask.options[0])
+        hand.app.redraw()
+        hand.app.step(0.0)
+        if session.ask.kind == AIM:
+            break
+    assert "push" in session.ask.may and "A push out may be called." in hand.play.referee.verdict(session)
+    hand.play.referee.push = True
+    assert hand.play.referee.warning(session, "9") == ""
+    name = session.match.names[session.ask.who]
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(0.4).turned(90.0)
+    hand.strike()
+    assert f"{name} pushes out." in hand.play.message
 
 
 def test_why_the_cue_ball_may_not_stand_somewhere_is_told(hand: Hand) -> None:

@@ -153,6 +153,7 @@ def test_the_menu_tells_the_frames_that_were_won(guest: Hand) -> None:
     # It stands between two frames, and so it comes back.
     choose(guest, "Continue")
     assert shown(guest) is FrameOver
+    guest.app.step(0.5)
     guest.key(pygame.K_RETURN)
     assert isinstance(guest.play.session.match.now.action, NextFrame)
 
@@ -223,6 +224,9 @@ def test_an_unfinished_match_is_thrown_away_when_asked_twice() -> None:
     guest.key(pygame.K_DELETE)
     assert unfinished() == paths[1:] and not paths[0].exists()
     assert shown(guest) is RecordShelf
+    # The menu knows of it.
+    guest.key(pygame.K_ESCAPE)
+    assert labels(guest)[:2] == ["Continue", "New match"]
     guest.key(pygame.K_RETURN)
     assert guest.play.session.match.setup.race == 3
     app.close()

@@ -328,3 +328,19 @@ def test_left_and_right_go_along_a_row_of_buttons() -> None:
     for key in (pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_LEFT, pygame.K_RETURN, pygame.K_LEFT):
         made.handle(pygame.event.Event(pygame.KEYDOWN, key=key, mod=0))
     assert pressed == ["b", "a"] and made.focus is buttons[0]
+
+
+def test_widgets_that_have_just_been_shown_can_be_clicked_before_they_are_drawn() -> None:
+    taken: list[str] = []
+
+    def take(name: str) -> None:
+        taken.append(name)
+        made.set_rows([[Choice("Table", lambda: "abc", lambda: taken[-1], take)]])
+
+    made = Form([[Choice("Table", lambda: "abc", lambda: taken[-1] if taken else "a", take)]])
+    made.place(pygame.Rect(0, 0, 400, 100), 8)
+    right = (made.widgets[0].rect.right - 5, made.widgets[0].rect.centery)
+    for _ in range(3):
+        made.handle(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=right, button=1))
+        made.handle(pygame.event.Event(pygame.MOUSEBUTTONUP, pos=right, button=1))
+    assert taken == ["b", "c", "a"]

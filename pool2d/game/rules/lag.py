@@ -69,9 +69,11 @@ class Lag(Rules[LagState]):
         fault = next(self.faults(layout, report), None)
         rests = (*state.rests, gap if fault is None else -1.0)
         state = replace(state, rests=rests, shots=state.shots + 1)
-        notes: tuple[Note, ...] = (fault or Note("lag.rest", who, points=round(1000.0 * gap)),)
+        good = Note("lag.rest", who, points=round(1000.0 * gap))
+        notes: tuple[Note, ...] = (good,) if fault is None else (Note("lag.bad", who), fault)
         if fault is not None:
-            layout = layout.put(ball.still()._replace(phase=POCKETED))
+            # The cue ball stays in the layout; the other is no ball of the game.
+            layout = layout.put(ball.still()._replace(phase=POCKETED)) if who == 0 else layout.without(ball.id)
         if len(rests) < self.players:
             other = self.other(who)
             # Back where it belongs, should it have been hit.

@@ -69,6 +69,7 @@ ENGLISH: dict[str, str] = {
     # The lag.
     "lag.turn": "{player} lags: off the foot cushion, and to rest as near as may be to the head cushion",
     "lag.rest": "{player} comes to rest {points} mm from the head cushion",
+    "lag.bad": "the lag of {player} is bad",
     "lag.lost": "the ball did not stay on the table",
     "lag.foot": "the ball has to meet the foot cushion once, and only once",
     "lag.side": "the ball touched a side cushion",
