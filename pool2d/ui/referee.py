@@ -93,7 +93,7 @@ class Referee:
         """What to say of an aim that would hit a ball that is not on; empty where all is well."""
         ask = session.ask
         wanted = (self.ball,) if ask.call == "ball" and self.ball else ask.on
-        if session.free or self.push or ask.kind != AIM or not aimed or aimed in wanted:
+        if session.free or self.push or ask.kind != AIM or not aimed or not wanted or aimed in wanted:
             return ""
         return say("referee.not_on", ball=rulings.ball(aimed))
 

@@ -67,7 +67,7 @@ ENGLISH: dict[str, str] = {
     "respotted": "the balls are put on their spots",
     "last-inning": "{player} has the last inning, from the starting position",
     # The lag.
-    "lag.turn": "{player} lags: off the foot cushion, and to rest as near as may be to the head cushion",
+    "lag.turn": "{player} lags: off the far (foot) cushion and back, as near to the head cushion as can be",
     "lag.rest": "{player} comes to rest {points} mm from the head cushion",
     "lag.bad": "the lag of {player} is bad",
     "lag.lost": "the ball did not stay on the table",
