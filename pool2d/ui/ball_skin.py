@@ -36,6 +36,8 @@ class Cells:
         # A point of the surface is at most half a cell's diagonal from the middle of its cell.
         near = np.flatnonzero(np.abs(far - 1.0) <= np.sqrt(3.0) / self.side)
         self._numbers = np.zeros(self.side**3, dtype=np.int32)
+        # What makes of a cell's column, row and layer its place among all; whole numbers well below 2^24.
+        self._order = np.array([[self.side**2, self.side, 1]], dtype=np.float32)
         self._numbers[near] = np.arange(len(near))
         places = middles[np.stack(np.unravel_index(near, far.shape))]
         self.places: Floats = places / far.reshape(-1)[near]
@@ -49,12 +51,8 @@ class Cells:
         # Turned back: the transposed matrix. No normal is longer than 1 but for rounding, for which there is room.
         places = np.matmul(turns.transpose(0, 2, 1) * np.float32(half - 1e-3), normals)
         places += half
-        x, y, z = places.astype(np.int32).transpose(1, 0, 2)
-        x *= self.side
-        x += y
-        x *= self.side
-        x += z
-        found: npt.NDArray[np.int32] = self._numbers.take(x)
+        np.floor(places, out=places)
+        found: npt.NDArray[np.int32] = self._numbers.take(np.matmul(self._order, places)[:, 0].astype(np.intp))
         return found
 
 
@@ -65,7 +63,7 @@ def cells(radius: float) -> Cells:
 
 # Skins made before, the latest last. Like a function's cache, it changes no picture.
 _skins: dict[tuple[Coat, float], Skin] = {}
-_KEPT = 64
+_KEPT = 40
 
 
 def known(coat: Coat, radius: float) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -90,6 +91,23 @@ class Screen:
         """The ball in the cue diagram, which is seen from the side."""
         box = self.cue_diagram
         return box.right - self.unit * 2.5, box.bottom - self.unit * 2.5
+
+
+class KeptBars:
+    """The two bars as they were drawn last: while a shot runs they mostly stay the same."""
+
+    def __init__(self) -> None:
+        self._key: Hashable = None
+        self._parts: list[tuple[pygame.Surface, tuple[int, int]]] = []
+
+    def show(self, surface: pygame.Surface, screen: Screen, key: Hashable, draw: Callable[[], None]) -> None:
+        """Show what `draw` has drawn for this key, or have it drawn."""
+        if key == self._key:
+            surface.blits(self._parts, False)
+            return
+        draw()
+        self._key = key
+        self._parts = [(surface.subsurface(box).copy(), box.topleft) for box in (screen.top, screen.bottom)]
 
 
 def draw_bars(surface: pygame.Surface, screen: Screen, title: str, note: str) -> None:

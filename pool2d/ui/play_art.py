@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
 import pygame
@@ -15,7 +16,7 @@ from .debug import ScreenPen, draw_geometry
 from .effects import Effects
 from .playback import Playback
 from .stage import Stage
-from .words import say
+from .words import language, say
 
 if TYPE_CHECKING:
     from .play import Play
@@ -38,7 +39,10 @@ def draw(surface: pygame.Surface, play: Play) -> None:
         draw_geometry(ScreenPen(surface, play.stage.view), play.session.table)
     if play.vectors:
         _vectors(surface, play)
-    _bars(surface, play)
+    if play.playback is not None and play.playback.running:
+        play.stage.bars.show(surface, screen, _told(play), lambda: _bars(surface, play))
+    else:
+        _bars(surface, play)
     if play.playback is not None and play.playback.review:
         play.timeline.place(screen, panel)
         play.timeline.draw(surface, play.playback, play.session.table)
@@ -126,6 +130,14 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
         start = shown.rollout.start[shown.shot.ball]
         vectors.draw_cue(surface, start, shown.shot, session.table, stage.view)
     vectors.draw_legend(surface, stage.screen)
+
+
+def _told(play: Play) -> Hashable:
+    """What the bars tell while a shot runs."""
+    stage = play.stage
+    drawn = (stage.screen, stage.style, stage.down, play.hands.aim, play.message, play.warning, language())
+    # What stands to the players' credit comes with the moment, a drill's run with its stroke.
+    return *drawn, id(play.session.match.now), play.tuning is None
 
 
 def _bars(surface: pygame.Surface, play: Play) -> None:

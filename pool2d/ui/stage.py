@@ -30,6 +30,7 @@ class Stage:
         self.table = table
         self.style = theme.PLAIN
         self.keeper = Keeper()
+        self.bars = hud.KeptBars()
         self._down: list[str] = []
         self.screen = hud.Screen(1280, 720)
         self.camera = Camera()
@@ -84,13 +85,18 @@ class Stage:
         ball_art.draw_all(surface, balls, self.style)
         self._down = [ball for ball in down if ball != self.table.furniture.cue]
 
+    @property
+    def down(self) -> tuple[str, ...]:
+        """The balls, but the cue ball, that had fallen when the table was drawn last, in their order."""
+        return tuple(self._down)
+
     def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
         look = self.table.furniture.looks.get(ball.id)
         centre = self.view.to_screen(ball.x, ball.y)
         ball_art.draw(surface, ball.id, centre, self._radius(ball), faint, look, style=self.style)
 
     def tray(self, surface: pygame.Surface) -> None:
-        """Draw the balls that had fallen when the table was drawn last, but the cue ball."""
+        """Draw the balls that are down."""
         tray.draw(surface, self.screen.tray, [self._look(ball) for ball in self._down], self.style)
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:

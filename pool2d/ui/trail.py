@@ -24,8 +24,8 @@ _STEP = 0.1
 # the spread they add up to an even band.
 _COLOR = (38, 38, 36)
 _SPREAD, _PITCH = 0.42, 0.84
-# How many steps there are from fresh to faded.
-_LEVELS = 24
+# How many steps there are from fresh to faded, and from which on there is light enough to be seen.
+_LEVELS, _SEEN = 24, 4
 
 _BEGIN = attrgetter("t0")
 
@@ -78,8 +78,10 @@ def _along(points: Trace, radius: float) -> list[Dab]:
         length = math.hypot(bx - ax, by - ay)
         while ahead < length:
             part = ahead / length
-            level = levels[int((new + part * (old - new)) * (_LEVELS - 1))]
-            dabs.append((level, (ax + part * (bx - ax) - half, ay + part * (by - ay) - half)))
+            fresh = int((new + part * (old - new)) * (_LEVELS - 1))
+            if fresh < _SEEN:
+                return dabs
+            dabs.append((levels[fresh], (ax + part * (bx - ax) - half, ay + part * (by - ay) - half)))
             ahead += pitch
         ahead -= length
     return dabs

@@ -9,7 +9,7 @@ import pytest
 
 from pool2d import Ball
 from pool2d.physics.values import POCKETED
-from pool2d.ui import hud
+from pool2d.ui import hud, play_art
 from pool2d.ui.play_art import hop_note
 
 from .conftest import Hand
@@ -272,3 +272,21 @@ def test_losing_the_window_puts_the_cue_down(hand: Hand) -> None:
 
 def test_a_direction_just_below_a_full_turn_is_told_as_none() -> None:
     assert [hud.bearing(angle) for angle in (0.0, 359.994, 359.996)] == ["0.00°", "359.99°", "0.00°"]
+
+
+def test_the_bars_tell_the_present_while_a_shot_runs(hand: Hand) -> None:
+    hand.set_balls(Ball("cue", 2.0, 0.73), Ball("1", 2.3, 1.03), Ball("2", 2.0, 0.3))
+    one = hand.play.session.layout["1"]
+    hand.point(one.x, one.y)
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(4.0)
+    hand.key(pygame.K_SPACE)
+    screen, trays = hand.play.stage.screen, set()
+    while hand.play.playback is not None and hand.play.playback.running:
+        fresh = hand.app.surface.copy()
+        play_art._bars(fresh, hand.play)
+        for bar in (screen.top, screen.bottom):
+            shown, drawn = (picture.subsurface(bar) for picture in (hand.app.surface, fresh))
+            assert pygame.image.tobytes(shown, "RGB") == pygame.image.tobytes(drawn, "RGB")
+        trays.add(hand.play.stage.down)
+        hand.app.step(0.1)
+    assert len(trays) == 2, "a ball falls on the way"
