@@ -23,15 +23,7 @@ class DrillShelf(Shelf):
 
     def __init__(self, below: Scene, play: Play) -> None:
         self.play = play
-        super().__init__(below)
-
-    @property
-    def heading(self) -> str:
-        return say("drill.title")
-
-    @property
-    def intro(self) -> str:
-        return say("drill.intro")
+        super().__init__(below, lambda: say("drill.title"), lambda: say("drill.intro"))
 
     def entries(self) -> Sequence[Widget]:
         return [self._entry(name) for name in drills()]

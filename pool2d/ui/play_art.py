@@ -40,7 +40,7 @@ def draw(surface: pygame.Surface, play: Play) -> None:
     if play.vectors:
         _vectors(surface, play)
     if play.playback is not None and play.playback.running:
-        play.stage.bars.show(surface, screen, _told(play), lambda: _bars(surface, play))
+        play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play))
     else:
         _bars(surface, play)
     if play.playback is not None and play.playback.review:
@@ -132,12 +132,13 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
     vectors.draw_legend(surface, stage.screen)
 
 
-def _told(play: Play) -> Hashable:
+def _told(play: Play, shown: Playback) -> Hashable:
     """What the bars tell while a shot runs."""
-    stage = play.stage
+    stage, tuning = play.stage, play.tuning
     drawn = (stage.screen, stage.style, stage.down, play.hands.aim, play.message, play.warning, language())
-    # What stands to the players' credit comes with the moment, a drill's run with its stroke.
-    return *drawn, id(play.session.match.now), play.tuning is None
+    # What stands to the players' credit comes with the moment, a drill's run with its stroke; it is told of a shot
+    # only when it is seen again.
+    return *drawn, id(play.session.match.now), shown.shot, shown.again, tuning.error if tuning is not None else ""
 
 
 def _bars(surface: pygame.Surface, play: Play) -> None:

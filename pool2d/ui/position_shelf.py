@@ -44,15 +44,7 @@ class PositionShelf(Shelf):
 
     def __init__(self, below: Scene, take: Callable[[str], str]) -> None:
         self.take = take
-        super().__init__(below)
-
-    @property
-    def heading(self) -> str:
-        return say("shelf.open")
-
-    @property
-    def intro(self) -> str:
-        return "" if shelf.positions() else say("shelf.empty")
+        super().__init__(below, lambda: say("shelf.open"), lambda: "" if shelf.positions() else say("shelf.empty"))
 
     def entries(self) -> Sequence[Widget]:
         return [

@@ -31,7 +31,9 @@ def open_replays(
     def watch(path: Path) -> Scene:
         return Replay(Reel(load(path, torn=True)), below, store, sounds)
 
-    named = lambda: say("replay.title") if records() else say("replay.none")  # noqa: E731
+    def named() -> str:
+        return say("replay.title") if records() else say("replay.none")
+
     return RecordShelf(below, named, records, watch, renewed)
 
 
@@ -46,14 +48,9 @@ class RecordShelf(Shelf):
         open: Callable[[Path], Scene], renewed: Callable[[], Scene] | None = None,
     ) -> None:  # fmt: skip
         self.renewed = renewed
-        self.named = named
         self.paths = paths
         self.open = open
-        super().__init__(below)
-
-    @property
-    def heading(self) -> str:
-        return self.named()
+        super().__init__(below, named)
 
     def entries(self) -> Sequence[Widget]:
         return [self._entry(path) for path in self.paths()]

@@ -17,19 +17,12 @@ class Shelf(Dialog):
 
     width = 76
 
-    def __init__(self, below: Scene) -> None:
+    def __init__(self, below: Scene, heading: Callable[[], str], intro: Callable[[], str] = str) -> None:
         super().__init__(below, "", [])
+        self.heading = heading
+        self.intro = intro
         self.wrong = ""
         self._lay_out()
-
-    @property
-    def heading(self) -> str:
-        raise NotImplementedError
-
-    @property
-    def intro(self) -> str:
-        """What is told below the heading; nothing where this is empty."""
-        return ""
 
     def entries(self) -> Sequence[Widget]:
         """The lines; asked for anew whenever one of them has done something."""
@@ -49,8 +42,8 @@ class Shelf(Dialog):
         return done
 
     def _lay_out(self) -> None:
-        rows: list[Widget] = [Heading(lambda: self.heading, theme.TEXT, large=True)]
-        rows += [Heading(lambda: self.intro)] if self.intro else [Gap(0.3)]
+        rows: list[Widget] = [Heading(self.heading, theme.TEXT, large=True)]
+        rows += [Heading(self.intro)] if self.intro() else [Gap(0.3)]
         rows += [Heading(lambda: self.wrong, theme.WARNING, lines=3)] if self.wrong else []
         rows += [*self.entries(), Button(say("form.close"), self._close)]
         self.form.set_rows([[row] for row in rows])

@@ -23,11 +23,7 @@ class TableShelf(Shelf):
 
     def __init__(self, below: Scene, play: Play) -> None:
         self.play = play
-        super().__init__(below)
-
-    @property
-    def heading(self) -> str:
-        return say("menu.tables")
+        super().__init__(below, lambda: say("menu.tables"))
 
     def entries(self) -> Sequence[Widget]:
         return [self._entry(name) for name in presets()]

@@ -379,3 +379,24 @@ def test_a_ball_of_many_alike_is_called_without_its_number(hand: Hand) -> None:
     session = begin(hand, "english-eight-ball", "english-7ft")
     assert hand.play.referee.warning(session, "yellow2") == ""
     assert rulings.ball("yellow2") == "yellow" and rulings.ball("9") == "9"
+
+
+def test_a_shot_seen_again_stands_below_the_score_that_it_has_made(hand: Hand) -> None:
+    session = begin(hand, "snooker", "snooker-12ft")
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(0.5).turned(180.0)
+
+    def bar() -> bytes:
+        surface = hand.app.surface
+        return pygame.image.tobytes(surface.subsurface(hand.play.stage.screen.top), "RGB")
+
+    hand.key(pygame.K_SPACE)
+    aim, first = hand.play.hands.aim, bar()
+    hand.app.step(0.1)
+    assert bar() == first
+    hand.key(pygame.K_SPACE)
+    hand.app.step(0.5)
+    assert session.match.state.scores == (0, 4)
+    hand.play.hands.aim = aim
+    hand.key(pygame.K_r)
+    assert hand.play.playback is not None and hand.play.playback.running
+    assert bar() != first
