@@ -253,8 +253,8 @@ class Sitting:
         """Let the shot that is shown, the camera and the panels go on by `dt` seconds."""
         self.referee.follow(self.session)
         self.referee.form.update(dt)
-        self._change_hands()
         if self.playback is None:
+            self._change_hands()
             self._rested += dt
             self._age += dt
             if self._age > _READ and self.word is not None:
@@ -271,7 +271,7 @@ class Sitting:
                 self._come_to_rest(self.playback)
 
     def _change_hands(self) -> None:
-        """The next player takes the cue level, with no spin and no force set."""
+        """Once the shot has been seen, the next player takes the cue level, with no spin and no force set."""
         who = self.session.ask.who
         if who != self._who and who >= 0:
             self.hands.take_over()

@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import pygame
 import pytest
@@ -199,31 +201,43 @@ def test_a_screenshot_that_cannot_be_saved_is_told(hand: Hand, tmp_path: Path, m
     assert hand.app.toasts.notes[0].wrong
 
 
-def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(tmp_path: Path) -> None:
+class Own(NamedTuple):
+    """A window on a table of one's own, its file, and what was in it at first."""
+
+    app: App
+    preset: Path
+    good: str
+
+
+@pytest.fixture
+def own(tmp_path: Path) -> Iterator[Own]:
     preset = tmp_path / "mine.toml"
     good = preset_path("pool-9ft").read_text()
     preset.write_text(good)
     app = App(load_table(str(preset)), seed=1)
-    try:
-        app.step(0.0)
-        preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
-        app.step(1.0)
-        assert app.play.session.table.knobs.cloth.mu_roll == 0.02
-        preset.write_text(good + "\n[cloth]\nmu_rol = 0.03\n")
-        app.step(1.0)
-        assert app.play.session.table.knobs.cloth.mu_roll == 0.02
-        assert "mu_rol" in app.play.warning and "mu_roll?" in app.play.warning
-        line = len(good.splitlines()) + 3
-        assert f"line {line}:" in app.play.warning
-        preset.unlink()
-        app.step(1.0)
-        assert "cannot be read" in app.play.warning
-        preset.write_text(good)
-        app.step(1.0)
-        assert app.play.warning == ""
-        assert app.play.session.table.knobs.cloth.mu_roll == 0.01
-    finally:
-        app.close()
+    app.step(0.0)
+    yield Own(app, preset, good)
+    app.close()
+
+
+def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(own: Own) -> None:
+    app, preset, good = own
+    preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
+    app.step(1.0)
+    assert app.play.session.table.knobs.cloth.mu_roll == 0.02
+    preset.write_text(good + "\n[cloth]\nmu_rol = 0.03\n")
+    app.step(1.0)
+    assert app.play.session.table.knobs.cloth.mu_roll == 0.02
+    assert "mu_rol" in app.play.warning and "mu_roll?" in app.play.warning
+    line = len(good.splitlines()) + 3
+    assert f"line {line}:" in app.play.warning
+    preset.unlink()
+    app.step(1.0)
+    assert "cannot be read" in app.play.warning
+    preset.write_text(good)
+    app.step(1.0)
+    assert app.play.warning == ""
+    assert app.play.session.table.knobs.cloth.mu_roll == 0.01
 
 
 def test_a_change_of_the_base_is_taken_too(tmp_path: Path) -> None:
@@ -257,24 +271,17 @@ def test_the_window_is_named_after_the_table_that_is_played_on(hand: Hand) -> No
     assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + load_table("snooker-12ft").title
 
 
-def test_a_match_keeps_its_table_and_practice_takes_what_was_saved_meanwhile(tmp_path: Path) -> None:
-    preset = tmp_path / "mine.toml"
-    good = preset_path("pool-9ft").read_text()
-    preset.write_text(good)
-    app = App(load_table(str(preset)), seed=1)
-    try:
-        app.step(0.0)
-        app.scene = app.lobby.begin(recorded(app.play.session.table, Setup("nine-ball", breaker=0)))
-        preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
-        app.step(1.0)
-        assert app.play.session.table.knobs.cloth.mu_roll == 0.01
-        assert app.play.warning == ""
-        app.lobby.leave()
-        app.scene = app.play
-        app.step(1.0)
-        assert app.play.session.table.knobs.cloth.mu_roll == 0.02
-    finally:
-        app.close()
+def test_a_match_keeps_its_table_and_practice_takes_what_was_saved_meanwhile(own: Own) -> None:
+    app, preset, good = own
+    app.scene = app.lobby.begin(recorded(app.play.session.table, Setup("nine-ball", breaker=0)))
+    preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
+    app.step(1.0)
+    assert app.play.session.table.knobs.cloth.mu_roll == 0.01
+    assert app.play.warning == ""
+    app.lobby.leave()
+    app.scene = app.play
+    app.step(1.0)
+    assert app.play.session.table.knobs.cloth.mu_roll == 0.02
 
 
 def test_the_window_is_named_after_the_table_of_a_replay(hand: Hand) -> None:

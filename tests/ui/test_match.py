@@ -282,8 +282,13 @@ def test_the_word_of_the_referee_comes_back_after_a_notice(hand: Hand) -> None:
 
 def test_each_player_takes_the_cue_as_it_was_at_first(hand: Hand) -> None:
     session = begin(hand, "nine-ball")
-    hand.play.hands.aim = Aim(angle=12.0, speed=0.5, side=0.3, height=-0.4, elevation=20.0)
-    hand.strike()
+    struck = Aim(angle=12.0, speed=0.5, side=0.3, height=-0.4, elevation=20.0)
+    hand.play.hands.aim = struck
+    hand.key(pygame.K_SPACE)
+    # While the shot is seen, so is how it was struck.
+    assert session.ask.who == 1 and hand.play.hands.aim == struck
+    hand.key(pygame.K_SPACE)
+    hand.app.step(0.5)
     assert session.ask.who == 1
     aim = hand.play.hands.aim
     assert (aim.angle, aim.speed, aim.side, aim.height, aim.elevation) == (12.0, Aim().speed, 0.0, 0.0, 0.0)
