@@ -72,6 +72,8 @@ class App:
         self._unsaved = 0.0
         # Whether what rests on the screen has been drawn as it rests.
         self._drawn = False
+        # The scene that the window shows as it was drawn last, with nothing else over it.
+        self._shown: Scene | None = None
         self._take_names()
         self.store.listeners.append(self._apply)
         self._apply()
@@ -112,8 +114,9 @@ class App:
         self._keep(dt)
         self.toasts.update(dt)
         if not (self._drawn and self._still):
-            self.scene.draw(self.surface)
+            self.scene.draw(self.surface, kept=self.scene is self._shown)
             self.toasts.draw(self.surface)
+            self._shown = None if self.toasts.notes else self.scene
             pygame.display.flip()
             self._drawn = self._still
             self._name()
@@ -157,6 +160,8 @@ class App:
 
     def _window(self, event: pygame.event.Event) -> bool:
         """Whether an event was about the window itself, which is then done."""
+        if event.type in (pygame.VIDEORESIZE, pygame.VIDEOEXPOSE):
+            self._shown = None
         if event.type == pygame.VIDEORESIZE:
             self._resized()
             return True
@@ -240,6 +245,7 @@ class App:
         self._unsaved = 0.0
         if values.screen.full != self._full:
             self.surface = set_mode(self.size, values.screen.full)
+            self._shown = None
 
     def _take_keys(self) -> None:
         """Bind the keys that the player has bound, and drop what is wrong among them."""

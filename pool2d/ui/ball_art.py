@@ -62,8 +62,8 @@ def draw(
     draw_all(surface, [Placed(look or usual(ball), centre, radius, lie, alpha, not faint)], style)
 
 
-def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = theme.PLAIN) -> None:
-    """Draw balls, the first lowest, above the shadows of all."""
+def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = theme.PLAIN) -> list[pygame.Rect]:
+    """Draw balls, the first lowest, above the shadows of all; returns the boxes in which it has drawn."""
     shadows, sprites, corners = [], [], []
     for ball in balls:
         radius = max(1.0, round(ball.radius * STEPS) / STEPS)
@@ -76,8 +76,7 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
         sprites.append(Sprite(Coat(ball.look, style), radius, step, _rounded(ball.lie, radius), level, ball.fine))
         half = light(radius).half
         corners.append((x - half, y - half))
-    surface.blits(shadows, False)
-    surface.blits(list(zip(_images(sprites), corners, strict=True)), False)
+    return surface.blits([*shadows, *zip(_images(sprites), corners, strict=True)]) or []
 
 
 @lru_cache(maxsize=256)

@@ -70,7 +70,7 @@ class Dialog:
         after, self._after, self.done = self._after, self.below, False
         return after
 
-    def draw(self, surface: pygame.Surface) -> None:
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
         ground(self.below).draw(surface)
         shapes.veil(surface)
         unit = Screen(*surface.get_size()).unit

@@ -194,7 +194,7 @@ class DrillPlay(Play):
 
     # What is marked.
 
-    def draw_marks(self, surface: pygame.Surface) -> None:
+    def draw_marks(self, surface: pygame.Surface) -> bool:
         """The pocket that is called, and where balls have to come to rest."""
         run = self.drilling.run
         step = run.drill.steps[min(run.standing.done, len(run.drill.steps) - 1)]
@@ -204,6 +204,7 @@ class DrillPlay(Play):
         for pocket in run.drill.table.geometry.pockets:
             if pocket.name == step.pocket:
                 pen.ring(surface, theme.ACCENT, view.to_screen(pocket.x, pocket.y), pocket.radius * view.scale, 2.5)
+        return True
 
     def _area(self, surface: pygame.Surface, rest: Rest) -> None:
         """Tint where a ball has to come to rest, its middle within."""

@@ -33,7 +33,7 @@ class Help:
     def update(self, dt: float) -> Scene | None:
         return self
 
-    def draw(self, surface: pygame.Surface) -> None:
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
         ground(self.below).draw(surface)
         screen = Screen(*surface.get_size())
         page = _laid([*hands(), ("", ""), *keys()], screen)

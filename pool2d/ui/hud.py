@@ -100,10 +100,13 @@ class KeptBars:
         self._key: Hashable = None
         self._parts: list[tuple[pygame.Surface, tuple[int, int]]] = []
 
-    def show(self, surface: pygame.Surface, screen: Screen, key: Hashable, draw: Callable[[], None]) -> None:
-        """Show what `draw` has drawn for this key, or have it drawn."""
+    def show(
+        self, surface: pygame.Surface, screen: Screen, key: Hashable, draw: Callable[[], None], there: bool = False
+    ) -> None:
+        """Show what `draw` has drawn for this key, or have it drawn; what was shown last may still be `there`."""
         if key == self._key:
-            surface.blits(self._parts, False)
+            if not there:
+                surface.blits(self._parts, False)
             return
         draw()
         self._key = key

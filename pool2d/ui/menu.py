@@ -89,7 +89,7 @@ class Menu(Dialog):
             self.form.focus = next(under, self.form.focus)
         return after
 
-    def draw(self, surface: pygame.Surface) -> None:
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
         for item in self.items:
             item.here = item is self.form.focus
         super().draw(surface)

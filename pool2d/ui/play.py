@@ -220,11 +220,12 @@ class Play(Sitting):
         scene, self._next = self._next or self, None
         return scene
 
-    def draw_marks(self, surface: pygame.Surface) -> None:
-        """Draw what is marked on the cloth, under the balls: nothing in practice."""
+    def draw_marks(self, surface: pygame.Surface) -> bool:
+        """Draw what is marked on the cloth, under the balls: nothing in practice. Whether there was anything."""
+        return False
 
-    def draw(self, surface: pygame.Surface) -> None:
-        play_art.draw(surface, self)
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
+        play_art.draw(surface, self, kept)
 
     def _tune(self) -> None:
         if not self.practising():

@@ -25,22 +25,24 @@ if TYPE_CHECKING:
 _HOP = 0.005
 
 
-def draw(surface: pygame.Surface, play: Play) -> None:
-    """Draw the whole window."""
+def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> None:
+    """Draw the whole window; `kept` as for every scene."""
     screen = hud.Screen(*surface.get_size())
     panel = play.tuning.width(screen) if play.tuning is not None else 0
-    play.stage.begin(surface, play.session.table, panel)
-    play.draw_marks(surface)
+    left = play.stage.begin(surface, play.session.table, panel, kept)
+    more = play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None
+    over = None
     if play.playback is None:
         _at_rest(surface, play)
     else:
-        in_motion(surface, play.stage, play.playback, play.effects)
+        over = in_motion(surface, play.stage, play.playback, play.effects)
     if play.geometry:
         draw_geometry(ScreenPen(surface, play.stage.view), play.session.table)
     if play.vectors:
         _vectors(surface, play)
     if play.playback is not None and play.playback.running:
-        play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play))
+        play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play), left)
+        play.stage.over = None if more or play.playback.review else over
     else:
         _bars(surface, play)
     if play.playback is not None and play.playback.review:
@@ -110,13 +112,19 @@ def _area(surface: pygame.Surface, play: Play) -> None:
     surface.blit(shade, (0, 0))
 
 
-def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: Effects) -> None:
-    """The balls of a shot at its moment, their trails, and the cue that struck."""
-    if effects.trail:
-        trail.draw(surface, shown.rollout, shown.time, stage.table, stage.view)
-    stage.balls(surface, shown.rollout.at(shown.time), shown.rollout, shown.time, running=shown.running)
-    if effects.stroke and shown.shot is not None:
-        stroke.draw(surface, stage.table, shown.rollout.start[shown.shot.ball], shown.shot, shown.time, stage.view)
+def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: Effects) -> list[pygame.Rect] | None:
+    """The balls of a shot at its moment, their trails, and the cue that struck.
+
+    Returns the boxes in which it has drawn; none while there is a cue, which takes much room.
+    """
+    surface.set_clip(stage.screen.table)
+    drawn = trail.draw(surface, shown.rollout, shown.time, stage.table, stage.view) if effects.trail else []
+    drawn += stage.balls(surface, shown.rollout.at(shown.time), shown.rollout, shown.time, running=shown.running)
+    surface.set_clip(None)
+    if not effects.stroke or shown.shot is None:
+        return drawn
+    start = shown.rollout.start[shown.shot.ball]
+    return None if stroke.draw(surface, stage.table, start, shown.shot, shown.time, stage.view) else drawn
 
 
 def _vectors(surface: pygame.Surface, play: Play) -> None:

@@ -182,7 +182,7 @@ class Replay:
                 self.playback.fast = fast
         return self
 
-    def draw(self, surface: pygame.Surface) -> None:
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
         self.stage.style = style_of(self.store.values)
         replay_art.draw(surface, self)
 

@@ -26,6 +26,6 @@ class Scene(Protocol):
         """Let `dt` seconds pass."""
         ...
 
-    def draw(self, surface: pygame.Surface) -> None:
-        """Draw the whole window."""
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
+        """Draw the whole window. `kept` says that it still shows what this scene has drawn last, and no more."""
         ...

@@ -31,6 +31,8 @@ class Stage:
         self.style = theme.PLAIN
         self.keeper = Keeper()
         self.bars = hud.KeptBars()
+        # Where things were drawn over the table, if that is known.
+        self.over: list[pygame.Rect] | None = None
         self._down: list[str] = []
         self.screen = hud.Screen(1280, 720)
         self.camera = Camera()
@@ -39,15 +41,21 @@ class Stage:
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
-    def begin(self, surface: pygame.Surface, table: Table, panel: int = 0) -> None:
-        """Take the window's present size, less `panel` pixels on the right, and draw the table."""
+    def begin(self, surface: pygame.Surface, table: Table, panel: int = 0, kept: bool = False) -> bool:
+        """Take the window's present size, less `panel` pixels on the right, and draw the table.
+
+        `kept` says that the surface still shows what was drawn last. Returns whether all that was not in the boxes
+        `over` was left as it is.
+        """
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
         self._fit(panel)
         # The bars are drawn over the rest.
         surface.set_clip(self.screen.table)
-        self._background.show(surface, table, self.camera.home, self.view)
+        over, self.over = self.over if kept else None, None
+        left = self._background.show(surface, table, self.camera.home, self.view, over)
         surface.set_clip(None)
+        return left
 
     @property
     def view(self) -> View:
@@ -62,11 +70,12 @@ class Stage:
     def balls(
         self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf,
         but: str = "", running: bool = False,
-    ) -> None:  # fmt: skip
+    ) -> list[pygame.Rect]:  # fmt: skip
         """Draw every ball on the table as it lies, `but` one, and those on their way into a pocket.
 
         `rollout` is the shot that has led to the layout, if one has, `t` seconds after its start; without
         a time it is over. While it is `running`, balls that move are drawn for one frame only, and roughly.
+        Returns the boxes in which it has drawn.
         """
         # On its way the camera shows each frame another size of ball, for which no skin is worth making.
         rough = running and self.camera.settled
@@ -82,8 +91,8 @@ class Stage:
             for ball in layout.on_table()
             if ball.id != but
         ]
-        ball_art.draw_all(surface, balls, self.style)
         self._down = [ball for ball in down if ball != self.table.furniture.cue]
+        return ball_art.draw_all(surface, balls, self.style)
 
     @property
     def down(self) -> tuple[str, ...]:

@@ -43,13 +43,14 @@ def reach(drawn: float, t: float) -> tuple[float, float]:
     return THROUGH * gone * (2.0 - gone), max(0.0, 1.0 - max(0.0, t - _FOLLOW) / _FADE)
 
 
-def draw(surface: pygame.Surface, table: Table, ball: Ball, shot: Shot, t: float, view: View) -> None:
-    """Draw the cue of a shot at time `t`; `ball` is the cue ball where it was struck."""
+def draw(surface: pygame.Surface, table: Table, ball: Ball, shot: Shot, t: float, view: View) -> bool:
+    """Draw the cue of a shot at time `t`; `ball` is the cue ball where it was struck. Whether it is to be seen."""
     back, seen = reach(drawn_back(shot.speed), t)
     if seen <= 0.0:
-        return
+        return False
     aim = Aim(shot.angle, shot.speed, shot.side, shot.height, shot.elevation)
     cue_art.draw(surface, table, ball, aim, back, view, seen)
+    return True
 
 
 def _smooth(part: float) -> float:

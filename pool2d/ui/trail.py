@@ -26,6 +26,8 @@ _COLOR = (38, 38, 36)
 _SPREAD, _PITCH = 0.42, 0.84
 # How many steps there are from fresh to faded, and from which on there is light enough to be seen.
 _LEVELS, _SEEN = 24, 4
+# So many dabs have one box: of more the box would have room for much else, of fewer there would be many boxes.
+_BOX = 4
 
 _BEGIN = attrgetter("t0")
 
@@ -55,16 +57,17 @@ def tail(rollout: Rollout, ball: str, t: float) -> Trace:
     return [*points, (end, *track[last - 1].place(end))]
 
 
-def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view: View) -> None:
-    """Draw the trail of every ball that moves, or did a moment ago."""
-    dabs: list[Dab] = []
+def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view: View) -> list[pygame.Rect]:
+    """Draw the trail of every ball that moves, or did a moment ago; returns the boxes in which it has drawn."""
+    drawn: list[pygame.Rect] = []
     for ball_id, ball in rollout.start.items():
         points = tail(rollout, ball_id, t)
         if points:
             radius = table.body_of(ball)[0] * view.scale
-            dabs += _along([(1.0 - (t - then) / LENGTH, *view.to_screen(x, y)) for then, x, y in points], radius)
-    for dab, at in dabs:
-        surface.blit(dab, at, None, pygame.BLEND_RGB_ADD)
+            dabs = _along([(1.0 - (t - then) / LENGTH, *view.to_screen(x, y)) for then, x, y in points], radius)
+            boxes = [surface.blit(dab, at, None, pygame.BLEND_RGB_ADD) for dab, at in dabs]
+            drawn += [boxes[i].unionall(boxes[i + 1 : i + _BOX]) for i in range(0, len(boxes), _BOX)]
+    return drawn
 
 
 def _along(points: Trace, radius: float) -> list[Dab]:

@@ -102,7 +102,7 @@ def test_a_window_at_rest_waits_and_takes_what_it_waited_for(hand: Hand, monkeyp
     ])  # fmt: skip
     hand.app.step(0.0)
     frames: list[pygame.Surface] = []
-    monkeypatch.setattr(hand.play, "draw", frames.append)
+    monkeypatch.setattr(hand.play, "draw", lambda surface, kept: frames.append(surface))
     monkeypatch.setattr(pygame.event, "wait", lambda timeout: next(waits))
     hand.app.run()
     assert hand.play.hands.aim.angle == pytest.approx((angle + 0.05) % 360.0)

@@ -112,10 +112,10 @@ def test_only_what_moves_while_a_shot_runs_is_drawn_roughly(hand: Hand, monkeypa
     seen: dict[bool, int] = {}
     real = ball_art.draw_all
 
-    def record(surface: pygame.Surface, balls: list[ball_art.Placed], style: Style = theme.PLAIN) -> None:
+    def record(surface: pygame.Surface, balls: list[ball_art.Placed], style: Style = theme.PLAIN) -> list[pygame.Rect]:
         seen.clear()
         seen.update({fine: sum(ball.fine == fine for ball in balls) for fine in (True, False)})
-        real(surface, balls, style)
+        return real(surface, balls, style)
 
     monkeypatch.setattr(ball_art, "draw_all", record)
     hand.point(0.5, 0.5)

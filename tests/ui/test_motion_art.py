@@ -84,8 +84,13 @@ def test_a_trail_fades_with_age() -> None:
     [(Effects(), True), (Effects(trails=False), False), (Effects(reduced_motion=True), False)],
 )
 def test_trails_are_an_option(hand: Hand, monkeypatch: pytest.MonkeyPatch, effects: Effects, shown: bool) -> None:
-    drawn = []
-    monkeypatch.setattr(trail, "draw", lambda *args: drawn.append(args))
+    drawn: list[object] = []
+
+    def record(*args: object) -> list[pygame.Rect]:
+        drawn.append(args)
+        return []
+
+    monkeypatch.setattr(trail, "draw", record)
     hand.play.effects = effects
     hand.key(pygame.K_SPACE)
     assert bool(drawn) is shown
