@@ -56,12 +56,13 @@ def unit(q: Quaternion) -> Quaternion:
 
 
 def matrix(q: Quaternion) -> tuple[Vector, Vector, Vector]:
-    """The rows of the turn's matrix."""
+    """The rows of the turn's matrix; `q` may have any length but 0."""
     w, x, y, z = q
+    two = 2.0 / (w * w + x * x + y * y + z * z)
     return (
-        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
-        (2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
-        (2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
+        (1.0 - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y)),
+        (two * (x * y + w * z), 1.0 - two * (x * x + z * z), two * (y * z - w * x)),
+        (two * (x * z - w * y), two * (y * z + w * x), 1.0 - two * (x * x + y * y)),
     )
 
 
@@ -106,8 +107,9 @@ class _Way:
         if self._known == 0:
             self._pieces[0].knots.append(self._start)
             self._known = 1
-        for before, piece in zip(self._pieces[self._known - 1 : i], self._pieces[self._known : i + 1], strict=True):
-            piece.knots.append(before.at(piece.t0))
+        while self._known <= i:
+            piece = self._pieces[self._known]
+            piece.knots.append(self._pieces[self._known - 1].at(piece.t0))
             self._known += 1
         return self._pieces[i].at(t)
 
@@ -130,7 +132,8 @@ class _Piece:
     def at(self, t: float) -> Quaternion:
         s = t - self.t0
         if self.step == math.inf:
-            return product(self._turned(0.0, s), self.knots[0])
+            (wx, wy, wz), (bx, by, bz), half = self.spin, self.rate, 0.5 * s
+            return product(turn(s * (wx + half * bx), s * (wy + half * by), s * (wz + half * bz)), self.knots[0])
         count = int(s / self.step)
         while len(self.knots) <= count:
             self.knots.append(product(self._turned((len(self.knots) - 1) * self.step, self.step), self.knots[-1]))

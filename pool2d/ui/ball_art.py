@@ -69,11 +69,12 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
         radius = max(1.0, round(ball.radius * STEPS) / STEPS)
         x, y, step = place(ball.centre)
         if ball.shadow:
-            shade = shadow(radius, step)
-            half = shade.get_width() // 2
-            shadows.append((shade, (x - half, y - half)))
+            shade, right, down = shadow(radius, step)
+            shadows.append((shade, (x + right, y + down)))
         level = round(ball.alpha * LEVELS / 255.0)
-        sprites.append(Sprite(Coat(ball.look, style), radius, step, _rounded(ball.lie, radius), level, ball.fine))
+        # A rough picture is not looked for again.
+        lie = _rounded(ball.lie, radius) if ball.fine else ball.lie
+        sprites.append(Sprite(Coat(ball.look, style), radius, step, lie, level, ball.fine))
         half = light(radius).half
         corners.append((x - half, y - half))
     return surface.blits([*shadows, *zip(_images(sprites), corners, strict=True)]) or []
@@ -102,7 +103,8 @@ def _rounded(lie: Quaternion, radius: float) -> Quaternion:
 
 def _images(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
     """The pictures of balls, those not at hand drawn together by size and fineness."""
-    images = [_drawn.get(sprite) for sprite in sprites]
+    # One that is good for a moment only is hardly ever wanted again.
+    images = [_drawn.get(sprite) if sprite.fine else None for sprite in sprites]
     missing: dict[tuple[float, bool], list[int]] = {}
     made = 0
     for i, (sprite, image) in enumerate(zip(sprites, images, strict=True)):
@@ -117,7 +119,9 @@ def _images(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
         for start in range(0, len(group), _BATCH[fine]):
             batch = group[start : start + _BATCH[fine]]
             for i, image in zip(batch, render([sprites[i] for i in batch], fine), strict=True):
-                images[i] = _drawn[sprites[i]] = image
+                images[i] = image
+                if sprites[i].fine:
+                    _drawn[sprites[i]] = image
     while len(_drawn) > _KEPT:
         del _drawn[next(iter(_drawn))]
     return [image for image in images if image is not None]

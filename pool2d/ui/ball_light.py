@@ -14,6 +14,8 @@ from . import theme
 
 Floats = npt.NDArray[np.float32]
 Doubles = npt.NDArray[np.float64]
+# Each BGRA.
+Pixels = npt.NDArray[np.uint32]
 
 # Balls are placed to this part of a pixel.
 STEPS = 4
@@ -45,7 +47,7 @@ class Light:
         self.half = math.ceil(radius + 0.5)
         self._known = np.zeros(STEPS * STEPS, dtype=bool)
         self._table = np.empty((STEPS * STEPS, 11, (2 * self.half + 1) ** 2), dtype=np.float32)
-        self._layers: dict[int, tuple[pygame.Surface, pygame.Surface]] = {}
+        self._shades, self._glosses = (np.empty((STEPS * STEPS, self._table.shape[2]), np.uint32) for _ in range(2))
 
     def at(self, steps: Sequence[int]) -> Floats:
         """The light (balls, 11, pixels) on balls at these steps."""
@@ -59,19 +61,25 @@ class Light:
         normals: Floats = self._table[list(steps), self.NORMAL]
         return normals
 
-    def layers(self, step: int) -> tuple[pygame.Surface, pygame.Surface]:
-        """The light as pictures: one to multiply a ball's paint with, which also cuts it out, and one to add."""
-        if step not in self._layers:
-            lit = self.at([step])[0]
-            shade, gloss = np.clip(255.0 * lit[self.SHADE], 0.0, 255.0), np.clip(lit[self.GLOSS], 0.0, 255.0)
-            self._layers[step] = _picture(shade, 255.0 * lit[self.COVER]), _picture(gloss, np.zeros_like(gloss[0]))
-        return self._layers[step]
+    def layers(self, steps: Sequence[int]) -> tuple[pygame.Surface, pygame.Surface]:
+        """The light as pictures of balls one below the other: one to multiply their paint with, which also cuts them
+        out, and one to add."""
+        self._know(steps)
+        return self.column(self._shades[list(steps)]), self.column(self._glosses[list(steps)])
+
+    def column(self, pixels: Pixels) -> pygame.Surface:
+        """A picture of balls one below the other, whose pixels (balls, pixels) it shares."""
+        side = 2 * self.half + 1
+        return pygame.image.frombuffer(pixels.data.cast("B"), (side, side * len(pixels)), "BGRA")
 
     def _know(self, steps: Sequence[int]) -> None:
         for step in set(steps):
             if not self._known[step]:
                 self._known[step] = True
-                self._fill(self._table[step], *offset(step))
+                self._fill(lit := self._table[step], *offset(step))
+                shade, gloss = np.clip(255.0 * lit[self.SHADE], 0.0, 255.0), np.clip(lit[self.GLOSS], 0.0, 255.0)
+                self._shades[step] = _pixels(shade, 255.0 * lit[self.COVER])
+                self._glosses[step] = _pixels(gloss, np.zeros_like(gloss[0]))
 
     def _fill(self, row: Floats, right: float, down: float) -> None:
         across = np.arange(-self.half, self.half + 1, dtype=np.float64)
@@ -97,11 +105,10 @@ class Light:
         row[self.SOFT] = self.radius * np.clip(z, 0.35, 1.0)
 
 
-def _picture(rgb: Floats, alpha: Floats) -> pygame.Surface:
-    """A square picture of planes row by row."""
-    pixels = np.stack([rgb[2], rgb[1], rgb[0], alpha], axis=1).astype(np.uint8)
-    side = round(len(pixels) ** 0.5)
-    return pygame.image.frombuffer(pixels.tobytes(), (side, side), "BGRA")
+def _pixels(rgb: Floats, alpha: Floats) -> Pixels:
+    """The pixels, BGRA, of planes of colour and cover."""
+    pixels: Pixels = np.stack([rgb[2], rgb[1], rgb[0], alpha], axis=1).astype(np.uint8).view(np.uint32)[:, 0]
+    return pixels
 
 
 @lru_cache(maxsize=24)
@@ -139,8 +146,11 @@ def _noise(count: int) -> Doubles:
 
 
 @lru_cache(maxsize=128)
-def shadow(radius: float, step: int) -> pygame.Surface:
-    """A ball's shadow: dark where it touches, soft about it, and long away from the lamp; its middle the ball's."""
+def shadow(radius: float, step: int) -> tuple[pygame.Surface, int, int]:
+    """A ball's shadow: dark where it touches, soft about it, and long away from the lamp.
+
+    With it how far to the right and down of the ball's middle pixel the picture's corner is.
+    """
     half = math.ceil(radius * 2.4) + 1
     across = np.arange(-half, half + 1, dtype=np.float64)
     right, down = offset(step)
@@ -159,7 +169,9 @@ def shadow(radius: float, step: int) -> pygame.Surface:
     pygame.surfarray.pixels_alpha(image)[...] = np.where(light_left > 0.998, 0.0, np.clip(level, 0.0, 255.0)).astype(
         np.uint8
     )
-    return image
+    box = image.get_bounding_rect()
+    # A copy of its own: no more is held, or read, than there is to be seen.
+    return image.subsurface(box).copy(), box.left - half, box.top - half
 
 
 def _blot(x: Doubles, y: Doubles, size: float, soft: float) -> Doubles:

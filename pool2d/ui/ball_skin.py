@@ -13,11 +13,11 @@ import numpy as np
 import numpy.typing as npt
 import pygame
 
-from .ball_light import Floats, light
+from .ball_light import Floats, Pixels, light
 from .ball_paint import Coat, paint
 
-# Pixels, BGRA, by the number of the cell.
-Skin = npt.NDArray[np.uint32]
+# By the number of the cell.
+Skin = Pixels
 
 # Cells to a pixel, and along the cube at most: on large balls they are coarser than pixels, which nobody sees
 # in a picture that stands for a sixtieth of a second.
@@ -42,7 +42,7 @@ class Cells:
         places = middles[np.stack(np.unravel_index(near, far.shape))]
         self.places: Floats = places / far.reshape(-1)[near]
 
-    def numbers(self, turns: Floats, normals: Floats) -> npt.NDArray[np.int32]:
+    def numbers(self, turns: Floats, normals: Floats) -> npt.NDArray[np.intp]:
         """The cells (balls, points) of points that are seen at `normals` (balls, 3, points).
 
         `turns` (balls, 3, 3) are the matrices by which the balls have turned.
@@ -53,7 +53,8 @@ class Cells:
         places += half
         np.floor(places, out=places)
         found: npt.NDArray[np.int32] = self._numbers.take(np.matmul(self._order, places)[:, 0].astype(np.intp))
-        return found
+        # What `take` takes as it is.
+        return found.astype(np.intp)
 
 
 @lru_cache(maxsize=2)
@@ -94,13 +95,13 @@ def pictures(coats: Sequence[Coat], radius: float, steps: Sequence[int], turns: 
     """Balls of one radius in the light, each at its step and with the matrix (3, 3) by which it has turned."""
     lamp = light(radius)
     numbers = cells(radius).numbers(turns, lamp.normals(steps))
-    side = 2 * lamp.half + 1
-    made = []
-    for coat, step, cell in zip(coats, steps, numbers, strict=True):
-        pixels = skin(coat, radius).take(cell)
-        picture = pygame.image.frombuffer(pixels.data.cast("B"), (side, side), "BGRA")
-        shade, gloss = lamp.layers(step)
-        picture.blit(shade, (0, 0), None, pygame.BLEND_RGBA_MULT)
-        picture.blit(gloss, (0, 0), None, pygame.BLEND_RGB_ADD)
-        made.append(picture)
-    return made
+    pixels = np.empty(numbers.shape, dtype=np.uint32)
+    for coat, found, row in zip(coats, numbers, pixels, strict=True):
+        # No number is beyond the skin, which need not be looked into then.
+        skin(coat, radius).take(found, out=row, mode="clip")
+    column = lamp.column(pixels)
+    shade, gloss = lamp.layers(steps)
+    column.blit(shade, (0, 0), None, pygame.BLEND_RGBA_MULT)
+    column.blit(gloss, (0, 0), None, pygame.BLEND_RGB_ADD)
+    side = column.get_width()
+    return [column.subsurface((0, side * i, side, side)) for i in range(len(coats))]

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from functools import lru_cache
 from itertools import pairwise
-from operator import attrgetter
+from typing import Any
 
 import numpy as np
 import pygame
 
 from ..physics.rollout import Rollout
-from ..physics.values import POCKETED, RESTING, SLIDING, SPINNING
+from ..physics.values import ROLLING, SLIDING
 from ..table import Table
 from .view import View
 
-# How far back a trail goes, s; a ball that slides may run in a curve, which is followed in steps of so many s.
+# How far back a trail goes, s; a way is followed in steps of so many s.
 LENGTH = 0.3
 _STEP = 0.1
 # A trail is light that is added in soft dabs: their colour where the trail is fresh, how far the light
@@ -24,70 +24,56 @@ _STEP = 0.1
 # the spread they add up to an even band.
 _COLOR = (38, 38, 36)
 _SPREAD, _PITCH = 0.42, 0.84
-# How many steps there are from fresh to faded, and from which on there is light enough to be seen.
+# How many steps there are from faded to fresh, and from which on there is light enough to be seen.
 _LEVELS, _SEEN = 24, 4
 # So many dabs have one box: of more the box would have room for much else, of fewer there would be many boxes.
 _BOX = 4
-
-_BEGIN = attrgetter("t0")
-
-Trace = list[tuple[float, float, float]]
-Dab = tuple[pygame.Surface, tuple[float, float]]
-
-
-def tail(rollout: Rollout, ball: str, t: float) -> Trace:
-    """Where a ball was in the last LENGTH s before `t`, as (time, x, y) from then to now; every turn is a point.
-
-    Empty for a ball that did not move, or is off the table.
-    """
-    track = rollout.tracks.get(ball, ())
-    start, end = max(0.0, t - LENGTH), min(max(t, 0.0), rollout.duration)
-    if len(track) < 2 or end <= start:
-        return []
-    first, last = bisect_right(track, start, key=_BEGIN), bisect_right(track, end, key=_BEGIN)
-    if track[last - 1].phase == POCKETED or (first == last and track[last - 1].phase in (RESTING, SPINNING)):
-        return []
-    points: Trace = []
-    at = start
-    for motion, until in zip(track[first - 1 : last], [*(after.t0 for after in track[first:last]), end], strict=True):
-        steps = math.ceil((until - at) / _STEP) if motion.phase == SLIDING else 1
-        times = (at + (until - at) * i / steps for i in range(steps))
-        points += [(then, *motion.place(then)) for then in times]
-        at = until
-    return [*points, (end, *track[last - 1].place(end))]
 
 
 def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view: View) -> list[pygame.Rect]:
     """Draw the trail of every ball that moves, or did a moment ago; returns the boxes in which it has drawn."""
     drawn: list[pygame.Rect] = []
+    begin, rate = t - LENGTH, (_LEVELS - 1) / LENGTH
     for ball_id, ball in rollout.start.items():
-        points = tail(rollout, ball_id, t)
-        if points:
-            radius = table.body_of(ball)[0] * view.scale
-            dabs = _along([(1.0 - (t - then) / LENGTH, *view.to_screen(x, y)) for then, x, y in points], radius)
-            boxes = [surface.blit(dab, at, None, pygame.BLEND_RGB_ADD) for dab, at in dabs]
-            drawn += [boxes[i].unionall(boxes[i + 1 : i + _BOX]) for i in range(0, len(boxes), _BOX)]
+        radius = table.body_of(ball)[0]
+        times, places = marks(rollout, ball_id, _PITCH * radius)
+        first, last = bisect_left(times, begin + _SEEN / rate), bisect_right(times, t)
+        if first == last:
+            continue
+        levels = _dabs(max(1, round(radius * view.scale)))
+        half = levels[0].get_width() / 2.0
+        left, bottom, scale, how = view.left - half, view.bottom - half, view.scale, pygame.BLEND_RGB_ADD
+        # What `blits` takes; its type does not know of all it may be.
+        dabs: list[Any] = [
+            (levels[int((then - begin) * rate)], (left + x * scale, bottom - y * scale), None, how)
+            for then, (x, y) in zip(times[first:last], places[first:last], strict=True)
+        ]
+        boxes = surface.blits(dabs) or []
+        drawn += [boxes[i].unionall(boxes[i + 1 : i + _BOX]) for i in range(0, len(boxes), _BOX)]
     return drawn
 
 
-def _along(points: Trace, radius: float) -> list[Dab]:
-    """Dabs along points (freshness from 0 to 1, x, y), at even distances back from the last."""
-    levels = _dabs(max(1, round(radius)))
-    half, pitch = levels[0].get_width() / 2.0, _PITCH * radius
-    dabs: list[Dab] = []
-    # What lies right below the ball is not seen.
-    ahead = 0.5 * radius
-    for (new, ax, ay), (old, bx, by) in pairwise(reversed(points)):
-        length = math.hypot(bx - ax, by - ay)
-        while ahead < length:
-            part = ahead / length
-            fresh = int((new + part * (old - new)) * (_LEVELS - 1))
-            if fresh < _SEEN:
-                return dabs
-            dabs.append((levels[fresh], (ax + part * (bx - ax) - half, ay + part * (by - ay) - half)))
-            ahead += pitch
-        ahead -= length
-    return dabs
+@lru_cache(maxsize=64)
+def marks(rollout: Rollout, ball: str, pitch: float) -> tuple[list[float], list[tuple[float, float]]]:
+    """When a ball comes by the marks on its way, s, and where on the table they are, m; they are `pitch` m apart."""
+    times: list[float] = []
+    places: list[tuple[float, float]] = []
+    track = rollout.tracks.get(ball, [])
+    ahead = 0.5 * pitch
+    for motion, end in zip(track, [*(after.t0 for after in track[1:]), rollout.duration], strict=False):
+        if motion.phase not in (SLIDING, ROLLING) or end == motion.t0:
+            continue
+        steps = math.ceil((end - motion.t0) / _STEP)
+        moments = (motion.t0 + (end - motion.t0) * i / steps for i in range(steps + 1))
+        for (t, x, y), (u, next_x, next_y) in pairwise((moment, *motion.place(moment)) for moment in moments):
+            length = math.hypot(next_x - x, next_y - y)
+            while ahead < length:
+                part = ahead / length
+                times.append(t + part * (u - t))
+                places.append((x + part * (next_x - x), y + part * (next_y - y)))
+                ahead += pitch
+            ahead -= length
+    return times, places
 
 
 @lru_cache(maxsize=8)

@@ -8,7 +8,7 @@ from itertools import pairwise
 import pygame
 import pytest
 
-from pool2d import Ball, Layout, Shot, load_table, simulate
+from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
 from pool2d.ui import trail, vectors
 from pool2d.ui.effects import Effects
 from pool2d.ui.view import fit
@@ -35,32 +35,57 @@ def arrows(*balls: Ball) -> pygame.Surface:
     return picture
 
 
-def test_a_trail_ends_at_the_ball_and_lies_on_its_way() -> None:
-    t = 0.5
-    points = trail.tail(ROLL, "cue", t)
-    assert points[-1][0] == t
-    assert points[0][0] == pytest.approx(t - trail.LENGTH)
-    for then, x, y in points:
+PITCH = 0.024
+
+
+def test_marks_lie_on_a_balls_way_where_it_is_at_their_time() -> None:
+    times, places = trail.marks(ROLL, "cue", PITCH)
+    assert len(times) > 50
+    for then, (x, y) in zip(times, places, strict=True):
         ball = ROLL.ball_at("cue", then)
-        assert (x, y) == (ball.x, ball.y)
-    assert all(a[0] < b[0] for a, b in pairwise(points))
+        # The way is followed in short straight lines.
+        assert math.dist((x, y), (ball.x, ball.y)) < 0.004
+    assert all(a < b for a, b in pairwise(times))
 
 
-def test_a_trail_turns_where_the_ball_turned() -> None:
+def test_marks_are_evenly_apart_and_follow_every_turn() -> None:
+    times, places = trail.marks(ROLL, "cue", PITCH)
     contact = next(event for event in ROLL.events if event.kind == "ball_ball")
-    points = trail.tail(ROLL, "cue", contact.t + 0.1)
-    assert contact.t in [then for then, _, _ in points]
+    gaps = {(a, b): math.dist(p, q) for (a, p), (b, q) in pairwise(zip(times, places, strict=True))}
+    turns = [event.t for event in ROLL.events if "cue" in event.balls]
+    straight = [gap for (a, b), gap in gaps.items() if not any(a < t < b for t in turns)]
+    assert straight == pytest.approx([PITCH] * len(straight), rel=0.01)
+    bent = next(gap for (a, b), gap in gaps.items() if a < contact.t < b)
+    assert bent < 0.99 * PITCH
 
 
-def test_a_ball_at_rest_or_fallen_has_no_trail() -> None:
-    assert trail.tail(ROLL, "8", 0.5) == []
-    assert trail.tail(ROLL, "1", 0.1) == []
-    assert trail.tail(ROLL, "cue", 0.0) == []
-    assert trail.tail(ROLL, "cue", -0.1) == []
+def drawn(ball: str, roll: Rollout, t: float) -> bool:
+    """Whether a ball has a trail."""
+    alone = Rollout(Layout([roll.start[ball]]), {ball: roll.tracks[ball]}, roll.events, False)
+    return bool(trail.draw(pygame.Surface(SIZE), alone, t, TABLE, VIEW))
+
+
+def test_a_ball_that_rests_or_has_not_moved_yet_has_no_trail() -> None:
+    for ball, t in (("8", 0.5), ("1", 0.1), ("cue", -0.1)):
+        assert not drawn(ball, ROLL, t)
+    assert drawn("cue", ROLL, 0.1)
+    assert not drawn("cue", ROLL, ROLL.duration + trail.LENGTH)
+
+
+def test_a_trail_fades_when_its_ball_has_fallen() -> None:
     potted = simulate(TABLE, Layout([Ball("cue", 0.3, 0.3)]), Shot(angle=225.0, speed=2.0))
     fall = next(event for event in potted.events if event.kind == "ball_pocket")
-    assert trail.tail(potted, "cue", fall.t - 0.01)
-    assert trail.tail(potted, "cue", fall.t) == []
+    assert drawn("cue", potted, fall.t)
+    assert not drawn("cue", potted, fall.t + trail.LENGTH)
+
+
+def test_all_light_of_a_trail_is_in_the_boxes_that_are_told() -> None:
+    picture = pygame.Surface(SIZE)
+    boxes = trail.draw(picture, ROLL, 0.9, TABLE, VIEW)
+    assert len(boxes) > 5
+    for box in boxes:
+        picture.fill("black", box)
+    assert not pygame.surfarray.array3d(picture).any()
 
 
 def test_a_trail_fades_with_age() -> None:
