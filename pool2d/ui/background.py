@@ -15,8 +15,8 @@ from .view import View
 
 # So many frames after the last change the picture begins to be drawn in full.
 _REST = 8
-# What is seen from nearer is cut out of a picture this many times as large.
-_NEAR = 2
+# What is seen from nearer is cut out of a picture so many times as large: as many pixels as are allowed, within limits.
+_NEAR, _NEAREST, _PIXELS = 1.5, 2.0, 6e6
 
 
 class Background:
@@ -61,15 +61,18 @@ class Background:
             return whole
         given = (whole, home)
         if self._whole.settled:
-            near = home.zoomed(_NEAR)
-            large = self._larger.take(table, (size[0] * _NEAR, size[1] * _NEAR), near)
+            times = min(max(_NEAR, math.sqrt(_PIXELS / (size[0] * size[1]))), _NEAREST)
+            near = home.zoomed(times)
+            large = self._larger.take(table, (round(size[0] * times), round(size[1] * times)), near)
             self._waiting = large is None or moving
             if large is not None:
                 given = (large, near)
         seen = (id(given[0]), view, moving)
         if seen != self._seen:
-            self._part = _cut(*given, size, view, quick=moving)
-            self._seen = seen
+            if self._part.get_size() != size:
+                self._part = pygame.Surface(size)
+            _cut(*given, self._part, view, quick=moving)
+            self._seen, self._filled = seen, None
         return self._part
 
 
@@ -141,33 +144,30 @@ class _Whole:
         if ready:
             self._take(ready, view)
         elif self._full and isinstance(self._made, tuple) and self._made[0] == table_art.content(table):
-            self._picture = _cut(*self._full, size, view)
+            self._picture = pygame.Surface(size)
+            _cut(*self._full, self._picture, view)
         else:
             self._full = None
-            self._picture = table_art.draft(table, size, view)
+            self._picture = table_art.lively(table_art.draft(table, size, view))
 
     def _take(self, picture: pygame.Surface, view: View) -> None:
-        self._picture = picture
-        self._full = (picture, view)
+        self._picture = table_art.lively(picture)
+        self._full = (self._picture, view)
         self.settled = True
 
 
-def _cut(
-    picture: pygame.Surface, given: View, size: tuple[int, int], view: View, quick: bool = False
-) -> pygame.Surface:
-    """What `view` shows on a surface of `size`, scaled out of a picture drawn in the view `given`.
+def _cut(picture: pygame.Surface, given: View, part: pygame.Surface, view: View, quick: bool = False) -> None:
+    """Draw onto `part` what `view` shows of the table, scaled out of a picture drawn in the view `given`.
 
     A `quick` one is rough: for a picture that is seen for one frame.
     """
     factor = view.scale / given.scale
     left, top = given.to_screen(*view.to_table(0.0, 0.0))
-    right, bottom = given.to_screen(*view.to_table(float(size[0]), float(size[1])))
+    right, bottom = given.to_screen(*view.to_table(*map(float, part.get_size())))
     box = pygame.Rect(math.floor(left), math.floor(top), 0, 0)
     box.width, box.height = math.ceil(right) - box.left, math.ceil(bottom) - box.top
     box = box.clip(picture.get_rect())
-    part = pygame.Surface(size)
     part.fill(theme.BACKGROUND)
     scale = pygame.transform.scale if quick else pygame.transform.smoothscale
     scaled = scale(picture.subsurface(box), (round(box.width * factor), round(box.height * factor)))
     part.blit(scaled, (round((box.left - left) * factor), round((box.top - top) * factor)))
-    return part

@@ -45,43 +45,50 @@ class Light:
     def __init__(self, radius: float) -> None:
         self.radius = radius
         self.half = math.ceil(radius + 0.5)
-        self._known = np.zeros(STEPS * STEPS, dtype=bool)
-        self._table = np.empty((STEPS * STEPS, 11, (2 * self.half + 1) ** 2), dtype=np.float32)
-        self._shades, self._glosses = (np.empty((STEPS * STEPS, self._table.shape[2]), np.uint32) for _ in range(2))
+        # The rows of those steps that were asked for: a camera on its way asks for few, of many sizes of ball.
+        self._rows: dict[int, int] = {}
+        self._table: Floats = np.empty((0, 11, (2 * self.half + 1) ** 2), dtype=np.float32)
+        self._shades: Pixels = np.empty((0, self._table.shape[2]), dtype=np.uint32)
+        self._glosses = self._shades
 
     def at(self, steps: Sequence[int]) -> Floats:
         """The light (balls, 11, pixels) on balls at these steps."""
-        self._know(steps)
-        lit: Floats = self._table[list(steps)]
+        rows = self._at(steps)
+        lit: Floats = self._table[rows]
         return lit
 
     def normals(self, steps: Sequence[int]) -> Floats:
         """Only the normals (balls, 3, pixels)."""
-        self._know(steps)
-        normals: Floats = self._table[list(steps), self.NORMAL]
+        rows = self._at(steps)
+        normals: Floats = self._table[rows, self.NORMAL]
         return normals
 
     def layers(self, steps: Sequence[int]) -> tuple[pygame.Surface, pygame.Surface]:
         """The light as pictures of balls one below the other: one to multiply their paint with, which also cuts them
         out, and one to add."""
-        self._know(steps)
-        return self.column(self._shades[list(steps)]), self.column(self._glosses[list(steps)])
+        rows = self._at(steps)
+        return self.column(self._shades[rows]), self.column(self._glosses[rows])
 
     def column(self, pixels: Pixels) -> pygame.Surface:
         """A picture of balls one below the other, whose pixels (balls, pixels) it shares."""
         side = 2 * self.half + 1
         return pygame.image.frombuffer(pixels.data.cast("B"), (side, side * len(pixels)), "BGRA")
 
-    def _know(self, steps: Sequence[int]) -> None:
-        for step in set(steps):
-            if not self._known[step]:
-                self._known[step] = True
-                self._fill(lit := self._table[step], *offset(step))
+    def _at(self, steps: Sequence[int]) -> list[int]:
+        """The rows of these steps, those that are new worked out."""
+        for step in steps:
+            if step not in self._rows:
+                self._rows[step] = len(self._rows)
+                lit = self._lit(*offset(step))
                 shade, gloss = np.clip(255.0 * lit[self.SHADE], 0.0, 255.0), np.clip(lit[self.GLOSS], 0.0, 255.0)
-                self._shades[step] = _pixels(shade, 255.0 * lit[self.COVER])
-                self._glosses[step] = _pixels(gloss, np.zeros_like(gloss[0]))
+                cut, added = _pixels(shade, 255.0 * lit[self.COVER]), _pixels(gloss, np.zeros_like(gloss[0]))
+                self._table = np.concatenate([self._table, lit[None]])
+                self._shades = np.concatenate([self._shades, cut[None]])
+                self._glosses = np.concatenate([self._glosses, added[None]])
+        return [self._rows[step] for step in steps]
 
-    def _fill(self, row: Floats, right: float, down: float) -> None:
+    def _lit(self, right: float, down: float) -> Floats:
+        """The light on a ball that is so far right and down of the middle of its pixel."""
         across = np.arange(-self.half, self.half + 1, dtype=np.float64)
         x = np.tile((across - right) / self.radius, len(across))
         y = np.repeat((down - across) / self.radius, len(across))
@@ -98,11 +105,13 @@ class Light:
         edge = 1.0 - 0.5 * (1.0 - z) ** 5
         # Polish mirrors more at a slant (Fresnel): the rim shows the room.
         rim = _RIM * (1.0 - z) ** 3 * (0.35 + 0.65 * cloth / 255.0)
+        row = np.empty((11, len(x)), dtype=np.float32)
         row[self.NORMAL] = x, y, z
         row[self.SHADE] = (_AROUND * (0.55 + 0.45 * z) + _DIRECT * direct**1.1) * edge + bounce
         row[self.GLOSS] = _mirrored(x, y, z, max(_EDGE, _BLUR / self.radius)) + rim + _noise(len(x))
         row[self.COVER] = np.clip((1.0 - far) * self.radius + 0.5, 0.0, 1.0)
         row[self.SOFT] = self.radius * np.clip(z, 0.35, 1.0)
+        return row
 
 
 def _pixels(rgb: Floats, alpha: Floats) -> Pixels:
@@ -111,7 +120,7 @@ def _pixels(rgb: Floats, alpha: Floats) -> Pixels:
     return pixels
 
 
-@lru_cache(maxsize=24)
+@lru_cache(maxsize=8)
 def light(radius: float) -> Light:
     return Light(radius)
 

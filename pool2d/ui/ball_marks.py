@@ -58,7 +58,7 @@ SHAPES: dict[str, list[Spots]] = {
 _HOLES = {"pink": _ring(24, 0.22)}
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=12)
 def pictures(marks: tuple[str, ...], radius: float) -> Picture:
     """The ink of marks on balls of `radius` pixels, one picture after the other."""
     pixels = 2.0 * REACH * radius

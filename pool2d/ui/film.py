@@ -27,7 +27,7 @@ _HOLD = 100
 def frames(table: Table, rollout: Rollout, size: tuple[int, int], times: Iterable[float]) -> Iterator[pygame.Surface]:
     """The table at moments of a shot, s."""
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
-    background = table_art.draw(table, size, view)
+    background = table_art.lively(table_art.draw(table, size, view))
     turning = Turning(rollout, racked(rollout.start))
 
     def placed(ball: Ball, lie: Quaternion) -> ball_art.Placed:

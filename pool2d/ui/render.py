@@ -21,7 +21,7 @@ def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
     pygame.font.init()
     table = scenario.table
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
-    picture = table_art.draw(table, size, view)
+    picture = table_art.lively(table_art.draw(table, size, view))
     guide.draw_whole(picture, scenario.simulate(), table, view)
     lies = racked(scenario.layout)
     balls = []

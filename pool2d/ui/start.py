@@ -81,7 +81,8 @@ def _opened(frames: int | None) -> Iterator[tuple[Splash, Store, tuple[int, int]
     try:
         if frames is None and pygame.display.get_driver() in _UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
             raise InputError("display", "", None, "no screen was found to open a window on")
+        splash = Splash(surface)
         words.speak(store.values.screen.language)
-        yield Splash(surface), store, size
+        yield splash, store, size
     finally:
         pygame.display.quit()

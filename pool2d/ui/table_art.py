@@ -25,27 +25,33 @@ _FILES = (__file__, *(str(module.__file__) for module in (cloth, leather, outset
 def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -> pygame.Surface:
     """The table without balls, on a surface of `size` pixels; kept on disk from then on.
 
+    The surface takes little memory, but is not to be drawn on and slow to blit: `lively` makes another of it.
     It may be called on any thread; `hands` is how many strips are painted at once.
     """
     picture = kept(table, size, view)
     if picture is None:
         pixels = _pixels(table, size, view, hands)
         cache.save(_name(table, size, view), pixels)
-        picture = _surface(pixels, size)
+        picture = pygame.image.frombuffer(pixels, size, "RGB")
     return picture
 
 
 def kept(table: Table, size: tuple[int, int], view: View) -> pygame.Surface | None:
     """The same if it has been drawn before; None where it has not."""
     pixels = cache.load(_name(table, size, view), 3 * size[0] * size[1])
-    return None if pixels is None else _surface(pixels, size)
+    return None if pixels is None else pygame.image.frombuffer(pixels, size, "RGB")
 
 
 def draft(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
     """The same in a fraction of the time, less sharp: for while the view or the table is being changed."""
     small = (max(1, size[0] // _COARSE), max(1, size[1] // _COARSE))
-    picture = _surface(_pixels(table, small, view.zoomed(small[0] / size[0]), _HANDS), small)
-    return pygame.transform.smoothscale(picture, size)
+    pixels = _pixels(table, small, view.zoomed(small[0] / size[0]), _HANDS)
+    return pygame.transform.smoothscale(pygame.image.frombuffer(pixels, small, "RGB"), size)
+
+
+def lively(picture: pygame.Surface) -> pygame.Surface:
+    """A copy to be drawn on, and as the window, if there is one, shows it soonest."""
+    return picture.convert() if pygame.display.get_surface() else picture.copy()
 
 
 def content(table: Table) -> Hashable:
@@ -59,11 +65,6 @@ def content(table: Table) -> Hashable:
 
 def _name(table: Table, size: tuple[int, int], view: View) -> str:
     return cache.name_of((content(table), size, view), _FILES)
-
-
-def _surface(pixels: bytes | memoryview, size: tuple[int, int]) -> pygame.Surface:
-    picture = pygame.image.frombuffer(pixels, size, "RGB")
-    return picture.convert() if pygame.display.get_surface() else picture.copy()
 
 
 def _pixels(table: Table, size: tuple[int, int], view: View, hands: int) -> memoryview:

@@ -10,7 +10,6 @@ import pygame
 from .._version import __version__
 from ..settings import Store
 from . import shapes, text, theme
-from .words import say
 
 SIZE = (1280, 720)
 # Below this nobody can read anything; the window does not open smaller.
@@ -72,8 +71,8 @@ def draw_splash(surface: pygame.Surface, part: float) -> None:
     surface.fill(theme.BACKGROUND)
     middle = (width / 2, height / 2)
     text.draw(surface, "pool2d", 8 * unit, theme.TEXT, (middle[0], middle[1] - 3 * unit), (0.5, 0.5))
-    below = f"{__version__}   \N{MIDDLE DOT}   {say('window.loading')} \N{HORIZONTAL ELLIPSIS}"
-    text.draw(surface, below, 2 * unit, theme.QUIET, (middle[0], middle[1] + 4 * unit), (0.5, 0.5))
+    # No word of any language: those are read later.
+    text.draw(surface, __version__, 2 * unit, theme.QUIET, (middle[0], middle[1] + 4 * unit), (0.5, 0.5))
     if part > 0.0:
         bar = pygame.Rect(0, 0, 40 * unit, max(2, unit // 2))
         bar.center = (width // 2, height // 2 + 8 * unit)
