@@ -133,7 +133,7 @@ def statistics(match: Match) -> list[tuple[str, str, str]]:
     if any(tally.points for tally in tallies):
         tell("points", [str(tally.points) for tally in tallies])
     tell("innings", [str(tally.innings) for tally in tallies])
-    tell("best", [str(tally.best) for tally in tallies])
+    tell(f"highest_{match.rules.series}", [str(tally.best) for tally in tallies])
     if match.table.geometry.pockets:
         tell("pots", [str(tally.pots) for tally in tallies])
         tell("success", [_percent(good, all_) for good, all_ in potting(match)])

@@ -20,7 +20,7 @@ from .field import TextField
 from .inputs import Choice
 from .scene import Scene
 from .widgets import Button, Gap, Heading, Toggle, Widget
-from .words import say
+from .words import say, say_or
 
 _RACES = tuple(str(frames) for frames in (*range(1, 16), 17, 19, 21, 25, 35))
 # What is offered for a number, as far as its range goes.
@@ -135,7 +135,11 @@ class NewMatch(Dialog):
         if knob.choices:
             return Choice(label, lambda: knob.choices, lambda: str(get()), put, hint, _choice)
         steps = [f"{step}" for step in _LADDER if knob.lo <= step <= knob.hi]
-        return Choice(label, lambda: steps, lambda: f"{float(get()):g}", lambda step: put(float(step)), hint)
+        # What a number means that is none, such as no limit.
+        return Choice(
+            label, lambda: steps, lambda: f"{float(get()):g}", lambda step: put(float(step)), hint,
+            lambda step: say_or(f"option.{name}_{step}", step),
+        )  # fmt: skip
 
     # What is chosen.
 

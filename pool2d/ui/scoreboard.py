@@ -78,7 +78,7 @@ def _details(match: Match, moment: Moment, player: int, turn: bool) -> list[str]
     if innings := getattr(state, "innings", (0, 0))[player]:
         told.append(say("scoreboard.innings", count=innings))
     if match.rules.scored and tally.run > 1:
-        told.append(say("scoreboard.run", run=tally.run))
+        told.append(say(f"scoreboard.{match.rules.series}", points=tally.run))
     if turn and (left := getattr(state, "left", 0)):
         told.append(say("scoreboard.left", points=left))
     if state.fouls[player] > 1:

@@ -133,6 +133,15 @@ def test_statistics_are_those_of_the_match(hand: Hand) -> None:
     assert "Average" not in lines
 
 
+@pytest.mark.parametrize(
+    ("game", "table", "said"),
+    [("snooker", "snooker-12ft", "Highest break"), ("three-cushion", "carom-10ft", "Highest run")],
+)
+def test_points_in_a_row_are_called_as_the_game_calls_them(hand: Hand, game: str, table: str, said: str) -> None:
+    session = playing(hand, race=1, game=game, table=table)
+    assert said in {label for label, _, _ in statistics(session.match)}
+
+
 def test_without_pockets_the_average_is_told(hand: Hand) -> None:
     session = playing(hand, race=1, game="straight-rail", table="carom-10ft")
     lines = {label for label, _, _ in statistics(session.match)}

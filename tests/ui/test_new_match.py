@@ -205,6 +205,16 @@ def test_options_are_those_of_the_game(guest: Hand) -> None:
     assert guest.play.session.match.setup.options == {"target": 125.0}
 
 
+def test_a_number_that_stands_for_none_is_told_in_words(guest: Hand) -> None:
+    while dialog(guest).table != "carom-10ft":
+        turn(guest, "Table")
+    innings = widget(guest, "Innings")
+    assert isinstance(innings, Choice)
+    assert (innings.get(), innings.shown(innings.get())) == ("0", "no limit")
+    turn(guest, "Innings")
+    assert innings.shown(innings.get()) == "1"
+
+
 @pytest.mark.parametrize("language", words.languages())
 @pytest.mark.parametrize("size", [(640, 360), (960, 540), (1920, 1080)])
 def test_it_can_be_drawn_in_every_game(language: str, size: tuple[int, int]) -> None:

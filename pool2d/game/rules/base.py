@@ -123,7 +123,7 @@ class Rules(Generic[S]):
 
     A game fills in the class attributes and `start`, `judge` and `picked`. `racks` are the racks it can be played
     from, the first that the table has being taken; `groups` the groups of balls that it needs; `scored` tells
-    whether points are counted.
+    whether points are counted, and `series` what those of one turn at the table are called: a run, or a break.
     """
 
     name: ClassVar[str]
@@ -132,6 +132,7 @@ class Rules(Generic[S]):
     racks: ClassVar[tuple[str, ...]] = ()
     groups: ClassVar[tuple[str, ...]] = ()
     scored: ClassVar[bool] = False
+    series: ClassVar[str] = "run"
     options_type: ClassVar[type[Options]] = Options
     state_type: ClassVar[type[State]] = State
 

@@ -56,6 +56,7 @@ class Snooker(Rules[SnookerState]):
     name = "snooker"
     title = "Snooker"
     scored = True
+    series = "break"
     racks = ("snooker",)
     groups = (RED, COLOR)
     options_type = SnookerOptions
