@@ -15,6 +15,7 @@ import pygame
 import pytest
 
 from pool2d import Ball, Layout, load_table
+from pool2d.ui import words
 from pool2d.ui.app import App
 from pool2d.ui.play import Play
 
@@ -96,3 +97,13 @@ def hand() -> Iterator[Hand]:
     pygame.event.clear()
     yield Hand(app)
     app.close()
+
+
+@pytest.fixture
+def guest() -> Iterator[Hand]:
+    """A hand at a window that has opened with the menu."""
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    pygame.event.clear()
+    yield Hand(app)
+    app.close()
+    words.speak("en")

@@ -1,0 +1,181 @@
+"""Matches that are left, and gone on with: by posted events."""
+
+from __future__ import annotations
+
+import os
+
+import pygame
+import pytest
+
+from pool2d import Shot, load_table
+from pool2d.game.actions import NextFrame
+from pool2d.game.record import load, matches_folder
+from pool2d.game.recorder import records, unfinished
+from pool2d.game.session import recorded
+from pool2d.game.setup import Setup
+from pool2d.ui.app import App
+from pool2d.ui.ended import FrameOver
+from pool2d.ui.menu import Menu
+from pool2d.ui.play import Play
+from pool2d.ui.replays import RecordShelf
+
+from .at_menu import choose, labels, left_match, playing, shown
+from .conftest import Hand
+
+
+def test_a_match_that_was_left_is_gone_on_with() -> None:
+    path = left_match()
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    menu = app.scene
+    assert isinstance(menu, Menu)
+    told = menu.items[0].entry.details()
+    assert told[0] == "Ann 0 : 0 Bo" and told[1].startswith("Nine-ball")
+    choose(guest, "Continue")
+    assert shown(guest) is Play
+    assert guest.play.session.match.names == ("Ann", "Bo")
+    assert guest.play.session.strokes == 1
+    guest.play.session.concede(0)
+    app.close()
+    assert load(path).frames == (0, 1)
+
+
+def test_the_menu_tells_the_frames_that_were_won(guest: Hand) -> None:
+    session = playing(guest)
+    session.concede(1)
+    guest.app.scene = guest.app.lobby.leave()
+    guest.app.step(0.0)
+    menu = guest.app.scene
+    assert isinstance(menu, Menu)
+    assert menu.items[0].entry.details()[0] == "Ann 1 : 0 Bo"
+    # It stands between two frames, and so it comes back.
+    choose(guest, "Continue")
+    assert shown(guest) is FrameOver
+    guest.app.step(0.5)
+    guest.key(pygame.K_RETURN)
+    assert isinstance(guest.play.session.match.now.action, NextFrame)
+
+
+def test_a_match_that_no_longer_plays_as_recorded_is_told_and_left_alone(
+    guest: Hand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = left_match()
+    before = path.read_bytes()
+    guest.app.scene = guest.app.lobby.menu()
+    guest.app.step(0.0)
+    path.write_bytes(before.replace(b"8", b"7", 1))
+    damaged = path.read_bytes()
+    choose(guest, "Continue")
+    assert path.read_bytes() == damaged
+    assert [note.wrong for note in guest.app.toasts.notes] == [True]
+    assert "Continue" not in labels(guest)
+
+
+def test_of_several_matches_that_were_left_any_is_gone_on_with() -> None:
+    paths = [left_match(race) for race in (2, 3)]
+    for age, path in enumerate(paths):
+        os.utime(path, (10 - age, 10 - age))
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    assert labels(guest)[:2] == ["Continue", "Unfinished matches"]
+    choose(guest, "Unfinished matches")
+    assert shown(guest) is RecordShelf
+    guest.key(pygame.K_ESCAPE)
+    assert shown(guest) is Menu
+    choose(guest, "Unfinished matches")
+    # The list has them by age, as the menu has.
+    guest.key(pygame.K_DOWN)
+    guest.key(pygame.K_RETURN)
+    assert shown(guest) is Play
+    assert guest.play.session.match.setup.race == 3
+    app.close()
+
+
+def test_a_damaged_record_is_told_once_where_it_is_the_latest() -> None:
+    left_match()
+    noise = matches_folder() / "noise.jsonl"
+    noise.write_text("noise\n")
+    os.utime(noise, (1, 1))
+    assert told_at_start() == []
+    os.utime(noise)
+    told = told_at_start()
+    assert len(told) == 1 and told[0].startswith(str(noise))
+    assert noise.read_text() == "noise\n"
+
+
+def test_a_match_that_nobody_began_leaves_no_record() -> None:
+    session = recorded(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
+    assert len(records()) == 1
+    session.leave()
+    assert records() == []
+
+
+def test_an_unfinished_match_is_thrown_away_when_asked_twice() -> None:
+    paths = [left_match(race) for race in (2, 3)]
+    for age, path in enumerate(paths):
+        os.utime(path, (10 - age, 10 - age))
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    choose(guest, "Unfinished matches")
+    guest.key(pygame.K_DELETE)
+    assert unfinished() == paths
+    guest.key(pygame.K_DELETE)
+    assert unfinished() == paths[1:] and not paths[0].exists()
+    assert shown(guest) is RecordShelf
+    # The menu knows of it.
+    guest.key(pygame.K_ESCAPE)
+    assert labels(guest)[:2] == ["Continue", "New match"]
+    guest.key(pygame.K_RETURN)
+    assert guest.play.session.match.setup.race == 3
+    app.close()
+
+
+def told_at_start() -> list[str]:
+    """What is told while the menu opens, twice."""
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    assert labels(guest)[0] == "Continue"
+    app.lobby.menu()
+    told = [note.words for note in app.toasts.notes]
+    app.close()
+    return told
+
+
+def test_closing_the_window_lets_go_of_the_record() -> None:
+    app = App(load_table("pool-9ft"), seed=3)
+    hand = Hand(app)
+    session = playing(hand)
+    session.play(Shot(speed=8.0))
+    hand.post(pygame.QUIT)
+    app.close()
+    again = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(again)
+    choose(guest, "Continue")
+    assert guest.play.session.strokes == 1
+    again.close()
+
+
+def test_a_record_that_cannot_be_written_is_told_once(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    session = playing(hand)
+    assert session.recorder is not None
+
+    def full(*args: object) -> int:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "write", full)
+        session.play(Shot(speed=8.0))
+    hand.app.step(0.01)
+    hand.app.step(0.01)
+    assert [note.words.endswith("No space left on device") for note in hand.app.toasts.notes] == [True]
+
+
+def test_another_table_lets_go_of_the_record(hand: Hand) -> None:
+    playing(hand).play(Shot(speed=8.0))
+    hand.play.open_table("pool-7ft")
+    assert hand.play.session.free
+    assert len(unfinished()) == 1
+    hand.app.scene = hand.app.lobby.menu()
+    hand.app.step(0.0)
+    choose(hand, "Continue")
+    assert hand.play.session.table.source == "pool-9ft"
