@@ -1,29 +1,19 @@
-"""A match in the window: calls, choices, the scoreboard, and what the referee says."""
+"""A match in the window: the scoreboard, undo, the ball in hand, and what the referee says."""
 
 from __future__ import annotations
 
 import pygame
 import pytest
 
-from pool2d import Layout, Shot, load_table, simulate
-from pool2d.game.rules import AIM, CHOOSE, PLACE
-from pool2d.game.session import Session, recorded
-from pool2d.game.setup import Setup
-from pool2d.ui import guide, play_art, rulings, scoreboard, words
+from pool2d import Layout, Shot, simulate
+from pool2d.game.rules import AIM, PLACE
+from pool2d.game.session import Session
+from pool2d.ui import guide, play_art, scoreboard, words
 from pool2d.ui.aim import Aim
 from pool2d.ui.ended import FrameOver
 
-from .conftest import FRAME, Hand
-
-
-def begin(hand: Hand, game: str = "eight-ball", table: str = "pool-9ft", **more: object) -> Session:
-    """Start a match in the window."""
-    setup = Setup(game=game, names=("Ann", "Bob"), breaker=0, seed=4, **more)  # type: ignore[arg-type]
-    session = recorded(load_table(table), setup)
-    hand.play.begin(session)
-    hand.app.redraw()
-    hand.app.step(0.0)
-    return session
+from .at_match import begin
+from .conftest import Hand
 
 
 def test_a_break_is_judged_and_the_referee_says_what_is_next(hand: Hand) -> None:
@@ -34,59 +24,6 @@ def test_a_break_is_judged_and_the_referee_says_what_is_next(hand: Hand) -> None
     assert session.match.now.report is not None
     assert hand.play.message == hand.play.referee.verdict(session)
     assert any(name in hand.play.message for name in ("Ann", "Bob"))
-
-
-def test_a_choice_is_offered_as_buttons_and_taken_by_digit(hand: Hand) -> None:
-    session = begin(hand)
-    # A break that is too soft: the opponent may choose.
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    hand.strike()
-    assert session.ask.kind == CHOOSE
-    assert len(hand.play.referee.form.widgets) == len(session.ask.options) > 1
-    strokes = session.strokes
-    hand.key(pygame.K_SPACE, 0)
-    hand.key(pygame.K_1)
-    assert session.ask.kind != CHOOSE
-    assert session.strokes <= strokes
-
-
-def test_a_button_of_the_strip_is_pressed_by_mouse_and_moves_no_aim(hand: Hand) -> None:
-    session = begin(hand)
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    hand.strike()
-    hand.app.step(0.0)
-    button = hand.play.referee.form.widgets[1]
-    aim = hand.play.hands.aim
-    hand.move(button.rect.center)
-    hand.press()
-    assert hand.play.hands.pull is None
-    hand.release()
-    assert session.ask.kind != CHOOSE
-    assert hand.play.hands.aim == aim
-
-
-def test_a_pocket_is_called_by_a_click_and_by_key(hand: Hand) -> None:
-    session = begin(hand, "straight")
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(8.0).toward(1.0, 0.01)
-    pocket = session.table.geometry.pockets[3]
-    assert session.ask.call == "pocket"
-    hand.point(pocket.x, pocket.y)
-    hand.press()
-    hand.release()
-    assert hand.play.referee.pocket == pocket.name
-    assert session.strokes == 0
-    hand.key(pygame.K_y)
-    called = hand.play.referee.pocket
-    assert called == session.table.geometry.pockets[4].name
-    one = session.layout["1"]
-    hand.point(one.x, one.y)
-    hand.key(pygame.K_SPACE)
-    action = session.match.now.action
-    assert action is not None
-    assert action.call.pocket == called  # type: ignore[union-attr]
-    assert action.call.ball  # type: ignore[union-attr]
-    hand.wait_for_rest()
-    assert hand.play.referee.pocket == ""
 
 
 def test_an_aim_at_a_ball_that_is_not_on_is_told(hand: Hand) -> None:
@@ -178,58 +115,6 @@ def test_the_layout_of_a_match_is_not_arranged(hand: Hand) -> None:
     assert session.layout is layout
 
 
-def in_hand(hand: Hand) -> Session:
-    """An eight-ball match in which a player has the cue ball in hand and may call a safety."""
-    session = begin(hand)
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.02)
-    hand.strike()
-    while session.ask.kind == CHOOSE:
-        session.choose(session.ask.options[0])
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(0.6).toward(-1.0, 0.0)
-    hand.strike()
-    assert session.ask.where == "anywhere" and "safety" in session.ask.may
-    return session
-
-
-def test_what_was_called_for_a_shot_that_is_taken_back_is_forgotten(hand: Hand) -> None:
-    session = in_hand(hand)
-    place(hand)
-    hand.key(pygame.K_2)
-    assert hand.play.referee.safety
-    hand.key(pygame.K_u)
-    assert not hand.play.referee.safety
-    assert hand.play.referee.said(session, "1").safety is False
-
-
-def test_a_call_outlives_the_placing_of_the_cue_ball(hand: Hand) -> None:
-    in_hand(hand)
-    place(hand)
-    hand.key(pygame.K_2)
-    place(hand, 0.5)
-    assert hand.play.referee.safety
-
-
-def test_what_was_called_in_one_match_is_not_said_in_the_next(hand: Hand) -> None:
-    in_hand(hand)
-    place(hand)
-    hand.key(pygame.K_2)
-    assert hand.play.referee.safety
-    hand.app.scene = hand.app.lobby.leave()
-    hand.app.scene = hand.play
-    hand.strike()
-    assert hand.play.session.strokes == 1
-
-
-def place(hand: Hand, x: float = 0.4) -> None:
-    """Put the cue ball, which is in hand, somewhere near a place."""
-    session = hand.play.session
-    for y in (0.2, 0.4, 0.6, 0.8, 1.0):
-        if session.place(x, y):
-            break
-    hand.app.redraw()
-    hand.app.step(0.0)
-
-
 def test_going_back_and_forth_over_the_end_of_a_frame_shows_it(hand: Hand) -> None:
     session = begin(hand, race=2)
     session.concede(0)
@@ -294,49 +179,6 @@ def test_each_player_takes_the_cue_as_it_was_at_first(hand: Hand) -> None:
     assert (aim.angle, aim.speed, aim.side, aim.height, aim.elevation) == (12.0, Aim().speed, 0.0, 0.0, 0.0)
 
 
-def test_a_strike_key_that_is_hit_on_and_on_plays_no_shot_for_the_other(hand: Hand) -> None:
-    session = begin(hand, "nine-ball")
-    for _ in range(6):
-        hand.key(pygame.K_SPACE)
-    assert session.strokes == 1 and session.ask.kind == AIM
-    # A window that were still would sleep, and never come to the end of that.
-    assert not hand.play.still
-    for _ in range(30):
-        hand.app.step(FRAME)
-    hand.key(pygame.K_SPACE)
-    assert session.strokes == 2
-
-
-def test_nor_does_it_choose(hand: Hand) -> None:
-    session = begin(hand)
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    for _ in range(6):
-        hand.key(pygame.K_SPACE)
-    assert session.ask.kind == CHOOSE and session.strokes == 1
-    hand.app.step(0.5)
-    hand.key(pygame.K_SPACE)
-    assert session.ask.kind != CHOOSE
-
-
-def test_a_push_out_is_told_of(hand: Hand) -> None:
-    session = begin(hand, "nine-ball")
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.02)
-    hand.strike()
-    while session.ask.kind == CHOOSE or session.ask.where:
-        session.place(0.5, 0.5) if session.ask.where else session.choose(session.ask.options[0])
-        hand.app.redraw()
-        hand.app.step(0.0)
-        if session.ask.kind == AIM:
-            break
-    assert "push" in session.ask.may and "A push out may be called." in hand.play.referee.verdict(session)
-    hand.play.referee.push = True
-    assert hand.play.referee.warning(session, "9") == ""
-    name = session.match.names[session.ask.who]
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(0.4).turned(90.0)
-    hand.strike()
-    assert f"{name} pushes out." in hand.play.message
-
-
 def test_why_the_cue_ball_may_not_stand_somewhere_is_told(hand: Hand) -> None:
     begin(hand, "snooker", "snooker-12ft")
     session = hand.play.session
@@ -359,18 +201,6 @@ def test_a_click_leads_on_from_a_frame_that_is_over(hand: Hand) -> None:
     assert isinstance(hand.app.scene, FrameOver)
 
 
-def test_a_stroke_may_begin_on_a_pocket(hand: Hand) -> None:
-    session = begin(hand, "straight")
-    pocket = session.table.geometry.pockets[0]
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(8.0).toward(1.0, 0.0)
-    hand.point(pocket.x, pocket.y)
-    hand.press()
-    hand.pull(80.0)
-    hand.release()
-    assert session.strokes == 1
-    assert hand.play.referee.pocket == ""
-
-
 def test_a_tip_that_will_slip_is_told_before_the_stroke(hand: Hand) -> None:
     play = hand.play
     play.hands.aim = play.hands.aim.with_spin(0.0, 0.3)
@@ -378,12 +208,6 @@ def test_a_tip_that_will_slip_is_told_before_the_stroke(hand: Hand) -> None:
     assert "slip" not in play_art.notes(play, shot.speed)
     play.hands.aim = play.hands.aim.with_spin(0.9, 0.0)
     assert "slip" in play_art.notes(play, shot.speed)
-
-
-def test_a_ball_of_many_alike_is_called_without_its_number(hand: Hand) -> None:
-    session = begin(hand, "english-eight-ball", "english-7ft")
-    assert hand.play.referee.warning(session, "yellow2") == ""
-    assert rulings.ball("yellow2") == "yellow" and rulings.ball("9") == "9"
 
 
 def test_a_shot_seen_again_stands_below_the_score_that_it_has_made(hand: Hand) -> None:
