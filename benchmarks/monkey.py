@@ -1,8 +1,8 @@
 """Random hands at the whole window: `python -m benchmarks.monkey [--events 20000] [--seed 0]`.
 
 Keys, clicks, drags, typed letters and the loss of the focus come as they please, over the table and over every menu;
-now and then a match of another game begins. Nothing may be raised, and while a shot runs each frame has to look as
-if all of it had been drawn anew. Prints what was wrong with the events that led to it; the exit status is 1 if
+now and then a match of another game begins. Nothing may be raised, and frames of a running shot have to look as if
+all of it had been drawn anew. Prints what was wrong with the events that led to it; the exit status is 1 if
 anything was.
 """
 
@@ -30,8 +30,10 @@ from pool2d.game.setup import Setup
 from pool2d.settings import Store
 from pool2d.ui import ball_skin
 from pool2d.ui.app import App
+from pool2d.ui.hud import KeptBars
 from pool2d.ui.keys import CTRL, DEFAULTS
 from pool2d.ui.play import Play
+from pool2d.ui.replay_scene import Replay
 
 SIZE = (960, 540)
 # A match begins every so many events.
@@ -51,6 +53,8 @@ class Monkey:
 
     def __init__(self, seed: int) -> None:
         self.rng = random.Random(seed)
+        # New racks are drawn from here.
+        random.seed(seed)
         self.app = App(load_table("pool-9ft"), seed=seed, size=SIZE, store=Store.open(), menu=True)
         self.keys = [key for action, keys in DEFAULTS.items() if action not in SPARED for key in keys]
         self.keys += 3 * COMMON
@@ -64,7 +68,8 @@ class Monkey:
             self.begin(number)
         self.seen[type(self.app.scene).__name__] += 1
         kind = self.rng.choices(
-            (self.key, self.move, self.click, self.wheel, self.type, self.wait, self.leave), (35, 25, 15, 5, 5, 12, 3)
+            (self.key, self.move, self.click, self.wheel, self.type, self.wait, self.leave, self.cover),
+            (35, 25, 15, 5, 5, 12, 2, 1),
         )[0]
         kind()
         if self.app.scene is None:
@@ -118,17 +123,24 @@ class Monkey:
     def leave(self) -> None:
         self.post(pygame.WINDOWFOCUSLOST)
 
+    def cover(self) -> None:
+        """What the system tells where another window has hidden this one, and spoiled it."""
+        self.app.surface.fill("red")
+        self.post(pygame.VIDEOEXPOSE)
+
     def compare(self) -> None:
-        """Raise AssertionError where a frame of a running shot is not as one that is drawn as a whole."""
-        play = self.app.scene
-        if not isinstance(play, Play) or play.playback is None or not play.playback.running:
+        """Raise AssertionError where a frame of a shot is not as one that is drawn as a whole."""
+        scene = self.app.scene
+        if not isinstance(scene, Play | Replay) or scene.playback is None:
             return
         for _ in range(3):
             self.app.step(1.0 / 60.0)
-            if self.app.scene is not play or not play.stage.still or self.app.toasts.notes:
+            if self.app.scene is not scene or not scene.stage.still or self.app.toasts.notes:
                 return
             seen = pygame.image.tobytes(self.app.surface, "RGB")
-            play.draw(self.app.surface)
+            # Bars that are kept would say the same again.
+            scene.stage.bars = KeptBars()
+            scene.draw(self.app.surface)
             assert pygame.image.tobytes(self.app.surface, "RGB") == seen, "something was left over on the window"
             self.compared += 1
 

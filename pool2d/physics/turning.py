@@ -132,6 +132,7 @@ class _Piece:
     def at(self, t: float) -> Quaternion:
         s = t - self.t0
         if self.step == math.inf:
+            # The axis stays: there is no bend.
             (wx, wy, wz), (bx, by, bz), half = self.spin, self.rate, 0.5 * s
             return product(turn(s * (wx + half * bx), s * (wy + half * by), s * (wz + half * bz)), self.knots[0])
         count = int(s / self.step)

@@ -72,7 +72,7 @@ class App:
         self._unsaved = 0.0
         # Whether what rests on the screen has been drawn as it rests.
         self._drawn = False
-        # The scene that the window shows as it was drawn last, with nothing else over it.
+        # The scene that the window shows as it was drawn last, with nothing else over it; None where that is not sure.
         self._shown: Scene | None = None
         self._take_names()
         self.store.listeners.append(self._apply)

@@ -15,7 +15,7 @@ from .view import View
 
 # So many frames after the last change the picture begins to be drawn in full.
 _REST = 8
-# What is seen from nearer is cut out of a picture so many times as large: as many pixels as are allowed, within limits.
+# What is seen from nearer is cut out of a picture so many times as wide: as far as so many pixels go, within limits.
 _NEAR, _NEAREST, _PIXELS = 1.5, 2.0, 6e6
 
 
@@ -42,8 +42,8 @@ class Background:
     ) -> bool:
         """Fill the surface with the table as `view` has it; `home` is the view of the whole of it.
 
-        If all that was drawn since on a surface that was filled before lies in the boxes `over`, only these are
-        filled as long as the table looks the same. Returns whether that was all.
+        `over` says that the surface still shows what was filled last, and that all drawn since lies in these boxes:
+        then only they are filled, unless the table's picture is another one. Returns whether only they were.
         """
         picture = self._picture(surface.get_size(), table, home, view)
         before, self._filled = self._filled, (surface, picture)
@@ -134,6 +134,8 @@ class _Whole:
             self._resting += 1
             if self._resting >= _REST and (picture := self._painter.take(table, size, view)):
                 self._take(picture, view)
+                # The lean one goes.
+                self._painter = _Painter()
         assert self._picture is not None
         return self._picture
 

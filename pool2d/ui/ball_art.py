@@ -36,7 +36,7 @@ class Placed(NamedTuple):
     fine: bool = True
 
 
-# Pictures drawn before, the latest last. Like a function's cache, it changes no picture.
+# Pictures painted before, the latest last. Like a function's cache, it changes no picture.
 _drawn: dict[Sprite, pygame.Surface] = {}
 _KEPT = 512
 # Balls painted together: more need memory that has to be fetched anew each time, fewer cost more calls. What is
@@ -77,6 +77,7 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
         sprites.append(Sprite(Coat(ball.look, style), radius, step, lie, level, ball.fine))
         half = light(radius).half
         corners.append((x - half, y - half))
+    # The type allows for none being returned.
     return surface.blits([*shadows, *zip(_images(sprites), corners, strict=True)]) or []
 
 

@@ -14,7 +14,7 @@ from . import theme
 
 Floats = npt.NDArray[np.float32]
 Doubles = npt.NDArray[np.float64]
-# Each BGRA.
+# One number a pixel; its bytes are blue, green, red, cover.
 Pixels = npt.NDArray[np.uint32]
 
 # Balls are placed to this part of a pixel.
@@ -53,20 +53,19 @@ class Light:
 
     def at(self, steps: Sequence[int]) -> Floats:
         """The light (balls, 11, pixels) on balls at these steps."""
-        rows = self._at(steps)
+        rows = self._rows_at(steps)
         lit: Floats = self._table[rows]
         return lit
 
     def normals(self, steps: Sequence[int]) -> Floats:
         """Only the normals (balls, 3, pixels)."""
-        rows = self._at(steps)
+        rows = self._rows_at(steps)
         normals: Floats = self._table[rows, self.NORMAL]
         return normals
 
     def layers(self, steps: Sequence[int]) -> tuple[pygame.Surface, pygame.Surface]:
-        """The light as pictures of balls one below the other: one to multiply their paint with, which also cuts them
-        out, and one to add."""
-        rows = self._at(steps)
+        """The light as two columns of balls: one to multiply their paint with, which also cuts them out, one to add."""
+        rows = self._rows_at(steps)
         return self.column(self._shades[rows]), self.column(self._glosses[rows])
 
     def column(self, pixels: Pixels) -> pygame.Surface:
@@ -74,7 +73,7 @@ class Light:
         side = 2 * self.half + 1
         return pygame.image.frombuffer(pixels.data.cast("B"), (side, side * len(pixels)), "BGRA")
 
-    def _at(self, steps: Sequence[int]) -> list[int]:
+    def _rows_at(self, steps: Sequence[int]) -> list[int]:
         """The rows of these steps, those that are new worked out."""
         for step in steps:
             if step not in self._rows:

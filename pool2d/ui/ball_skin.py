@@ -97,7 +97,7 @@ def pictures(coats: Sequence[Coat], radius: float, steps: Sequence[int], turns: 
     numbers = cells(radius).numbers(turns, lamp.normals(steps))
     pixels = np.empty(numbers.shape, dtype=np.uint32)
     for coat, found, row in zip(coats, numbers, pixels, strict=True):
-        # No number is beyond the skin, which need not be looked into then.
+        # No number is beyond the skin; not to check them spares a copy.
         skin(coat, radius).take(found, out=row, mode="clip")
     column = lamp.column(pixels)
     shade, gloss = lamp.layers(steps)

@@ -16,7 +16,7 @@ from .debug import ScreenPen, draw_geometry
 from .effects import Effects
 from .playback import Playback
 from .stage import Stage
-from .words import language, say
+from .words import manner, say
 
 if TYPE_CHECKING:
     from .play import Play
@@ -29,8 +29,8 @@ def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> None:
     """Draw the whole window; `kept` as for every scene."""
     screen = hud.Screen(*surface.get_size())
     panel = play.tuning.width(screen) if play.tuning is not None else 0
-    left = play.stage.begin(surface, play.session.table, panel, kept)
-    more = play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None
+    partial = play.stage.begin(surface, play.session.table, panel, kept)
+    covered = play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None
     over = None
     if play.playback is None:
         _at_rest(surface, play)
@@ -41,8 +41,10 @@ def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> None:
     if play.vectors:
         _vectors(surface, play)
     if play.playback is not None and play.playback.running:
-        play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play), left)
-        play.stage.over = None if more or play.playback.review else over
+        # A cue may have been drawn over the bars.
+        there = partial and over is not None
+        play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play), there)
+        play.stage.over = None if covered else over
     else:
         _bars(surface, play)
     if play.playback is not None and play.playback.review:
@@ -115,7 +117,7 @@ def _area(surface: pygame.Surface, play: Play) -> None:
 def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: Effects) -> list[pygame.Rect] | None:
     """The balls of a shot at its moment, their trails, and the cue that struck.
 
-    Returns the boxes in which it has drawn; none while there is a cue, which takes much room.
+    Returns the boxes in which it has drawn; None while the cue is in sight, which takes much room.
     """
     surface.set_clip(stage.screen.table)
     drawn = trail.draw(surface, shown.rollout, shown.time, stage.table, stage.view) if effects.trail else []
@@ -143,10 +145,11 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
 def _told(play: Play, shown: Playback) -> Hashable:
     """What the bars tell while a shot runs."""
     stage, tuning = play.stage, play.tuning
-    drawn = (stage.screen, stage.style, stage.down, play.hands.aim, play.message, play.warning, language())
+    drawn = (stage.screen, stage.style, stage.down, play.hands.aim, play.message, play.warning, manner())
     # What stands to the players' credit comes with the moment, a drill's run with its stroke; it is told of a shot
     # only when it is seen again.
-    return *drawn, id(play.session.match.now), shown.shot, shown.again, tuning.error if tuning is not None else ""
+    error = tuning.error if tuning is not None else ""
+    return *drawn, play.session.match.now, shown.shot, shown.again, error
 
 
 def _bars(surface: pygame.Surface, play: Play) -> None:

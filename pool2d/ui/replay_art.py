@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from .replay_scene import Replay
 
 
-def draw(surface: pygame.Surface, replay: Replay) -> None:
-    """Draw the whole window."""
+def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> None:
+    """Draw the whole window; `kept` as for every scene."""
     screen = Screen(*surface.get_size())
     take, shown, stage = replay.reel[replay.at], replay.playback, replay.stage
-    stage.begin(surface, take.match.table)
-    play_art.in_motion(surface, stage, shown, effects_of(replay.store.values))
+    stage.begin(surface, take.match.table, kept=kept)
+    over = play_art.in_motion(surface, stage, shown, effects_of(replay.store.values))
     if replay.geometry:
         draw_geometry(ScreenPen(surface, stage.view), stage.table)
     if replay.vectors:
@@ -36,7 +36,9 @@ def draw(surface: pygame.Surface, replay: Replay) -> None:
             vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
         vectors.draw_legend(surface, screen)
     _upper_bar(surface, screen, replay, take)
-    _caption(surface, screen, caption(replay))
+    said = caption(replay)
+    _caption(surface, screen, said)
+    stage.over = None if replay.geometry or replay.vectors or said[0] else over
     replay.timeline.place(screen, 0)
     replay.timeline.draw(surface, shown, stage.table)
 

@@ -184,7 +184,7 @@ class Replay:
 
     def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
         self.stage.style = style_of(self.store.values)
-        replay_art.draw(surface, self)
+        replay_art.draw(surface, self, kept)
 
 
 def _nothing() -> None:

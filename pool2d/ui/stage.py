@@ -31,7 +31,8 @@ class Stage:
         self.style = theme.PLAIN
         self.keeper = Keeper()
         self.bars = hud.KeptBars()
-        # Where things were drawn over the table, if that is known.
+        # The boxes in which the last frame has drawn over the table, told by who draws the frame; None where the
+        # next one is to be drawn as a whole.
         self.over: list[pygame.Rect] | None = None
         self._down: list[str] = []
         self.screen = hud.Screen(1280, 720)
@@ -44,8 +45,7 @@ class Stage:
     def begin(self, surface: pygame.Surface, table: Table, panel: int = 0, kept: bool = False) -> bool:
         """Take the window's present size, less `panel` pixels on the right, and draw the table.
 
-        `kept` says that the surface still shows what was drawn last. Returns whether all that was not in the boxes
-        `over` was left as it is.
+        `kept` says that the surface still shows the last frame. Returns whether only the boxes `over` were drawn.
         """
         self.table = table
         self.screen = hud.Screen(*surface.get_size())

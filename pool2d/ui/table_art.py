@@ -25,7 +25,8 @@ _FILES = (__file__, *(str(module.__file__) for module in (cloth, leather, outset
 def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -> pygame.Surface:
     """The table without balls, on a surface of `size` pixels; kept on disk from then on.
 
-    The surface takes little memory, but is not to be drawn on and slow to blit: `lively` makes another of it.
+    The surface has 24 bits a pixel, which lie in what was painted or read: it takes little memory, but is slow to
+    blit and not to be drawn on. `lively` makes another of it.
     It may be called on any thread; `hands` is how many strips are painted at once.
     """
     picture = kept(table, size, view)
@@ -37,13 +38,13 @@ def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -
 
 
 def kept(table: Table, size: tuple[int, int], view: View) -> pygame.Surface | None:
-    """The same if it has been drawn before; None where it has not."""
+    """What `draw` has drawn before; None where it has not."""
     pixels = cache.load(_name(table, size, view), 3 * size[0] * size[1])
     return None if pixels is None else pygame.image.frombuffer(pixels, size, "RGB")
 
 
 def draft(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
-    """The same in a fraction of the time, less sharp: for while the view or the table is being changed."""
+    """A picture in a fraction of the time, less sharp: for while the view or the table is being changed."""
     small = (max(1, size[0] // _COARSE), max(1, size[1] // _COARSE))
     pixels = _pixels(table, small, view.zoomed(small[0] / size[0]), _HANDS)
     return pygame.transform.smoothscale(pygame.image.frombuffer(pixels, small, "RGB"), size)

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
 
+from ..physics.motion import Motion
 from ..physics.rollout import Rollout
 from ..physics.values import ROLLING, SLIDING
 from ..table import Table
 from .view import View
 
-# How far back a trail goes, s; a way is followed in steps of so many s.
+# How far back a trail goes, s. A way is followed in straight lines of so many s, at most 4 mm beside a curve.
 LENGTH = 0.3
 _STEP = 0.1
 # A trail is light that is added in soft dabs: their colour where the trail is fresh, how far the light
@@ -30,20 +32,25 @@ _LEVELS, _SEEN = 24, 4
 _BOX = 4
 
 
+class Marks(NamedTuple):
+    """When a ball comes by the marks on its way, s, and where on the table they are, m."""
+
+    times: list[float]
+    places: list[tuple[float, float]]
+
+
 def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view: View) -> list[pygame.Rect]:
     """Draw the trail of every ball that moves, or did a moment ago; returns the boxes in which it has drawn."""
     drawn: list[pygame.Rect] = []
     begin, rate = t - LENGTH, (_LEVELS - 1) / LENGTH
-    for ball_id, ball in rollout.start.items():
-        radius = table.body_of(ball)[0]
-        times, places = marks(rollout, ball_id, _PITCH * radius)
+    for ball_id, (times, places) in marks(rollout, table).items():
         first, last = bisect_left(times, begin + _SEEN / rate), bisect_right(times, t)
         if first == last:
             continue
-        levels = _dabs(max(1, round(radius * view.scale)))
+        levels = _dabs(max(1, round(table.body_of(rollout.start[ball_id])[0] * view.scale)))
         half = levels[0].get_width() / 2.0
         left, bottom, scale, how = view.left - half, view.bottom - half, view.scale, pygame.BLEND_RGB_ADD
-        # What `blits` takes; its type does not know of all it may be.
+        # What `blits` takes; its type does not know of all it may be, nor that it returns boxes unless told not to.
         dabs: list[Any] = [
             (levels[int((then - begin) * rate)], (left + x * scale, bottom - y * scale), None, how)
             for then, (x, y) in zip(times[first:last], places[first:last], strict=True)
@@ -53,14 +60,23 @@ def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view
     return drawn
 
 
-@lru_cache(maxsize=64)
-def marks(rollout: Rollout, ball: str, pitch: float) -> tuple[list[float], list[tuple[float, float]]]:
-    """When a ball comes by the marks on its way, s, and where on the table they are, m; they are `pitch` m apart."""
+@lru_cache(maxsize=2)
+def marks(rollout: Rollout, table: Table) -> dict[str, Marks]:
+    """The marks on the way of each ball of a shot that moves, evenly apart from its start on."""
+    bodies = {ball_id: table.body_of(ball) for ball_id, ball in rollout.start.items()}
+    return {
+        ball_id: _along(track, rollout.duration, _PITCH * bodies[ball_id][0])
+        for ball_id, track in rollout.tracks.items()
+        if len(track) > 1
+    }
+
+
+def _along(track: Sequence[Motion], duration: float, pitch: float) -> Marks:
+    """Marks along a ball's motions, `pitch` m apart."""
     times: list[float] = []
     places: list[tuple[float, float]] = []
-    track = rollout.tracks.get(ball, [])
     ahead = 0.5 * pitch
-    for motion, end in zip(track, [*(after.t0 for after in track[1:]), rollout.duration], strict=False):
+    for motion, end in zip(track, [*(after.t0 for after in track[1:]), duration], strict=True):
         if motion.phase not in (SLIDING, ROLLING) or end == motion.t0:
             continue
         steps = math.ceil((end - motion.t0) / _STEP)
@@ -73,7 +89,7 @@ def marks(rollout: Rollout, ball: str, pitch: float) -> tuple[list[float], list[
                 places.append((x + part * (next_x - x), y + part * (next_y - y)))
                 ahead += pitch
             ahead -= length
-    return times, places
+    return Marks(times, places)
 
 
 @lru_cache(maxsize=8)

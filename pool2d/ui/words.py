@@ -11,7 +11,7 @@ import os
 import re
 import string
 import sys
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -77,6 +77,11 @@ def speak(language: str) -> Sequence[InputError]:
 def language() -> str:
     """The language spoken, by its two letters."""
     return _Present.language
+
+
+def manner() -> Hashable:
+    """What every text depends on besides what it tells: another manner, other texts."""
+    return _Present.language, _Present.unit
 
 
 def tell_speeds_in(unit: str) -> None:

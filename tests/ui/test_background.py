@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+import weakref
 from collections.abc import Callable
 
 import pygame
@@ -161,3 +162,44 @@ def test_what_goes_wrong_on_the_way_is_raised(monkeypatch: pytest.MonkeyPatch) -
         return False
 
     wait_for(failed)
+
+
+def test_only_boxes_are_filled_until_the_picture_or_the_surface_is_another(drawn: list[tuple[int, int]]) -> None:
+    background = Background()
+    shown(background, 320)
+    surface, view = shown(background, 352)
+    box = pygame.Rect(40, 40, 8, 8)
+
+    def show(onto: pygame.Surface) -> bool:
+        """Whether only the box was filled, and if so, that it was and nothing else."""
+        onto.fill("red")
+        filled = background.show(onto, TABLE, view, view, [box])
+        assert onto.get_at(box.center)[:3] != (255, 0, 0)
+        assert (onto.get_at((100, 100))[:3] == (255, 0, 0)) is filled
+        return filled
+
+    assert show(surface)
+    # The full picture takes the place of the quick one.
+    wait_for(lambda: not show(surface))
+    assert background.settled and show(surface)
+    other = surface.copy()
+    assert not show(other) and show(other)
+    assert not show(surface)
+
+
+def test_no_second_picture_is_held_once_the_full_one_is_shown(
+    drawn: list[tuple[int, int]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lean: list[weakref.ref[pygame.Surface]] = []
+    real = table_art.lively
+
+    def lively(picture: pygame.Surface) -> pygame.Surface:
+        lean.append(weakref.ref(picture))
+        return real(picture)
+
+    monkeypatch.setattr(table_art, "lively", lively)
+    background = Background()
+    for width in (320, 352):
+        wait_for(lambda width=width: bool(shown(background, width)) and background.settled)  # type: ignore[misc]
+    assert len(lean) == 2
+    wait_for(lambda: not any(ref() for ref in lean))

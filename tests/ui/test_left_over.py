@@ -6,7 +6,8 @@ import numpy as np
 import pygame
 import pytest
 
-from pool2d.ui import ball_skin
+from pool2d import Ball
+from pool2d.ui import ball_skin, hud, words
 from pool2d.ui.aim import Aim
 from pool2d.ui.background import Background
 
@@ -40,6 +41,8 @@ def watch(hand: Hand, frames: int) -> None:
         hand.app.step(FRAME)
         seen = pygame.surfarray.array3d(hand.app.surface)
         assert hand.app.scene is not None
+        # Bars that are kept would say the same again.
+        hand.play.stage.bars = hud.KeptBars()
         hand.app.scene.draw(hand.app.surface)
         whole = pygame.surfarray.array3d(hand.app.surface)
         assert np.array_equal(seen, whole), f"{np.argwhere(seen != whole)[[0, -1]]} at {hand.play.playback}"
@@ -71,11 +74,10 @@ def test_nothing_stays_of_what_was_over_the_table(hand: Hand, parts: list[bool])
     hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
     hand.key(pygame.K_SPACE)
     watch(hand, 40)
-    for key in (pygame.K_v, pygame.K_b, pygame.K_F1):
-        hand.key(key)
-        hand.app.step(FRAME)
-        hand.key(key)
-        watch(hand, 3)
+    for key in (pygame.K_v, pygame.K_b, pygame.K_t, pygame.K_F1):
+        for _ in range(2):
+            hand.key(key)
+            watch(hand, 3)
     hand.app.toast("a note")
     while hand.app.toasts.notes:
         hand.app.step(0.5)
@@ -96,11 +98,52 @@ def test_the_marks_of_a_drill_stay_below_the_balls(hand: Hand) -> None:
     watch(hand, 60)
 
 
-def test_the_time_line_is_drawn_anew_with_all_below_it(hand: Hand) -> None:
+def test_the_time_line_covers_the_lower_bar_alone(hand: Hand, parts: list[bool]) -> None:
     hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
     hand.key(pygame.K_SPACE)
     watch(hand, 40)
-    hand.play.playback.pause()  # type: ignore[union-attr]
-    hand.play.playback.toggle()  # type: ignore[union-attr]
+    hand.key(pygame.K_p)
+    watch(hand, 2)
+    hand.move((500, 660))
+    hand.key(pygame.K_p)
+    del parts[:]
     watch(hand, 5)
-    assert hand.play.playback.running and hand.play.playback.review  # type: ignore[union-attr]
+    assert any(parts)
+    hand.key(pygame.K_ESCAPE)
+    watch(hand, 3)
+
+
+def test_the_bars_follow_what_is_set_while_a_shot_runs(hand: Hand) -> None:
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
+    hand.key(pygame.K_SPACE)
+    watch(hand, 40)
+    for name, value in (("aiming.speed_unit", "mph"), ("screen.language", "de"), ("balls.trails", False)):
+        hand.app.store.turn(name, value)
+        watch(hand, 3)
+    words.speak("en")
+    words.tell_speeds_in("m/s")
+
+
+def test_nothing_stays_when_the_balls_come_to_rest_or_the_window_changes(hand: Hand) -> None:
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(2.0).toward(0.0, 1.0)
+    hand.key(pygame.K_SPACE)
+    watch(hand, 40)
+    for _ in range(2):
+        hand.key(pygame.K_F11)
+        watch(hand, 3)
+    while hand.play.playback is not None:
+        hand.app.step(FRAME)
+    watch(hand, 3)
+    hand.wheel(5)
+    watch(hand, 3)
+
+
+def test_a_cue_that_strikes_again_at_once_leaves_nothing_on_the_bars(hand: Hand) -> None:
+    # The cue ball near the lower rail: the cue lies over the bar.
+    hand.set_balls(Ball("cue", 1.2, 0.1), Ball("1", 1.2, 1.0))
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(5.0).toward(0.0, 1.0)
+    hand.key(pygame.K_SPACE)
+    watch(hand, 60)
+    hand.key(pygame.K_u)
+    hand.key(pygame.K_SPACE)
+    watch(hand, 60)

@@ -35,11 +35,8 @@ def arrows(*balls: Ball) -> pygame.Surface:
     return picture
 
 
-PITCH = 0.024
-
-
 def test_marks_lie_on_a_balls_way_where_it_is_at_their_time() -> None:
-    times, places = trail.marks(ROLL, "cue", PITCH)
+    times, places = trail.marks(ROLL, TABLE)["cue"]
     assert len(times) > 50
     for then, (x, y) in zip(times, places, strict=True):
         ball = ROLL.ball_at("cue", then)
@@ -49,14 +46,15 @@ def test_marks_lie_on_a_balls_way_where_it_is_at_their_time() -> None:
 
 
 def test_marks_are_evenly_apart_and_follow_every_turn() -> None:
-    times, places = trail.marks(ROLL, "cue", PITCH)
+    times, places = trail.marks(ROLL, TABLE)["cue"]
     contact = next(event for event in ROLL.events if event.kind == "ball_ball")
     gaps = {(a, b): math.dist(p, q) for (a, p), (b, q) in pairwise(zip(times, places, strict=True))}
     turns = [event.t for event in ROLL.events if "cue" in event.balls]
+    pitch = gaps[min(gaps)]
     straight = [gap for (a, b), gap in gaps.items() if not any(a < t < b for t in turns)]
-    assert straight == pytest.approx([PITCH] * len(straight), rel=0.01)
+    assert straight == pytest.approx([pitch] * len(straight), rel=0.01)
     bent = next(gap for (a, b), gap in gaps.items() if a < contact.t < b)
-    assert bent < 0.99 * PITCH
+    assert bent < 0.99 * pitch
 
 
 def drawn(ball: str, roll: Rollout, t: float) -> bool:
