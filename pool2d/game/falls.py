@@ -46,6 +46,12 @@ def ending(rollout: Rollout) -> float:
     return max([rollout.duration, *(event.t + DROP for event in _drops(rollout))])
 
 
+def settling(rollout: Rollout) -> float:
+    """When the last ball has come to its place, s; it may spin on there."""
+    stops = [event.t for event in rollout.events if event.kind != "spin_end"]
+    return max([0.0, *stops, *(event.t + DROP for event in _drops(rollout))])
+
+
 def _drops(rollout: Rollout) -> list[Event]:
     return [event for event in rollout.events if event.kind == "ball_pocket"]
 

@@ -19,7 +19,7 @@ from .dialog import Dialog, ground
 from .drill_shelf import DrillShelf
 from .effects import effects_of, style_of
 from .help import Help
-from .keys import KEYS, action_of
+from .keys import KEYS, Presses, action_of
 from .lobby import Lobby
 from .menu import Menu
 from .options import OFFERED, Options
@@ -57,6 +57,7 @@ class App:
         self.surface = surface or open_window(size, self.store.values.screen.full)
         self.size = size
         pygame.key.set_repeat(300, 30)
+        self._presses = Presses()
         self._caption = ""
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
@@ -99,6 +100,8 @@ class App:
         """
         came, self._came = self._came, []
         for event in [*came, *pygame.event.get()]:
+            if self._presses.idle(event):
+                continue
             self.redraw()
             if event.type == pygame.QUIT:
                 self.scene = None

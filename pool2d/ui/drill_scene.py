@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import pygame
 
@@ -51,6 +52,11 @@ class DrillPlay(Play):
         return title(run.drill), "   \N{MIDDLE DOT}   ".join(parts)
 
     # What is told.
+
+    @property
+    def word(self) -> Callable[[], str]:
+        """What is told again once other things have been read."""
+        return self._outcome if self._between else self._goal
 
     def _goal(self) -> str:
         keys = say("drill.keys", next=KEYS.shown("next_drill"), solution=KEYS.shown("solution"))
@@ -124,7 +130,7 @@ class DrillPlay(Play):
             super()._cancel()
         elif self._shown or self.playback is not None:
             self.drop()
-            self.told = self._outcome if self._between else self._goal
+            self.told = self.word
         else:
             self.go_to(self.home)
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from ..physics.values import Ball
+from ..physics.values import Ball, Layout
 from .aim import FULL_PULL, Aim, pulled_speed
 from .hud import Screen
 from .view import View
@@ -143,6 +143,15 @@ class Hands:
         """Another player's hands: the cue as at first, still pointing the same way."""
         self.put_down()
         self.aim = replace(Aim(), angle=self.aim.angle)
+
+    def face(self, cue: Ball, layout: Layout) -> None:
+        """Before a new rack: the cue as at first, pointing at the middle of the balls until the pointer is moved."""
+        balls = [ball for ball in layout.on_table() if ball.id != cue.id]
+        self.aim, self.hold = Aim(), self.pointer
+        if balls:
+            x, y = (sum(getattr(ball, axis) for ball in balls) / len(balls) for axis in "xy")
+            angle = math.degrees(math.atan2(y - cue.y, x - cue.x))
+            self.aim = Aim(angle=round(angle, 2) % 360.0)
 
     def center(self) -> None:
         """No spin, level cue."""

@@ -80,6 +80,16 @@ TOGETHER = (
     ("look_up", "look_left", "look_down", "look_right"),
 )
 HELD = ("fast",)
+# What goes on while its key is held down; all else is done once for each press.
+REPEATED = (
+    "turn_left", "turn_right", "harder", "softer", "spin_up", "spin_left", "spin_down", "spin_right", "lower", "raise",
+    "nearer", "farther", "look_up", "look_left", "look_down", "look_right", "undo", "redo",
+)  # fmt: skip
+# So do keys that move through something or delete letters, in every scene.
+_MOVING = (
+    pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_PAGEUP, pygame.K_PAGEDOWN, pygame.K_BACKSPACE,
+    pygame.K_DELETE,
+)  # fmt: skip
 HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "shots", "ball", "cue", "place", "carry", "put")
 
 # What goes back and what only changes other keys cannot be bound; nor can going back be bound to another key.
@@ -211,3 +221,22 @@ def _chord(name: str) -> int:
         return pygame.key.key_code(name[5:] if ctrl else name) + (CTRL if ctrl else 0)
     except ValueError:
         return pygame.K_UNKNOWN
+
+
+class Presses:
+    """Which keys are down. The system tells of a key that is held again and again, as if it were pressed anew."""
+
+    def __init__(self) -> None:
+        self._down: set[int] = set()
+
+    def idle(self, event: pygame.event.Event) -> bool:
+        """Take an event; whether it only tells that a key is held, of which nothing more is to come."""
+        if event.type == pygame.WINDOWFOCUSLOST:
+            self._down.clear()
+        elif event.type == pygame.KEYUP:
+            self._down.discard(event.key)
+        elif event.type == pygame.KEYDOWN:
+            held = event.key in self._down
+            self._down.add(event.key)
+            return held and event.key not in _MOVING and action_of(event.key, getattr(event, "mod", 0)) not in REPEATED
+        return False

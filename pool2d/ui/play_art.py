@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Hashable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pygame
@@ -164,8 +165,11 @@ def _bars(surface: pygame.Surface, play: Play) -> None:
     play.stage.tray(surface)
     if session.ask.kind != CHOOSE or play.playback is not None:
         struck = play.playback.shot if play.playback is not None else None
-        speed = hands.speed if struck is None else struck.speed
-        hud.draw_controls(surface, screen, hands.aim, speed, session.table.knobs.cue.tip_friction)
+        aim, speed = hands.aim, hands.speed
+        if struck is not None:
+            # The pointer that moves meanwhile aims at nothing yet.
+            aim, speed = replace(aim, angle=struck.angle), struck.speed
+        hud.draw_controls(surface, screen, aim, speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
     message = wrong or f"{play.message} {notes(play, hands.speed)}".strip()
     taken = play.referee.place(screen, session) if play.playback is None else 0

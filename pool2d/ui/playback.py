@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..game.falls import ending
+from ..game.falls import ending, settling
 from ..physics.rollout import Event, Rollout
 from ..physics.values import Shot
 
@@ -15,13 +15,15 @@ class Playback:
 
     `end` is when the balls rest and the last that fell is out of sight. `again` says that the shot was seen
     before, `review` that its time line is out. Once the player has taken hold of it (`kept`), it stays at its
-    end until it is left. `fast` multiplies the rate, which is one of RATES.
+    end until it is left. `fast` multiplies the rate, which is one of RATES; so does, without a time line, that
+    nothing moves from its place any more: a ball may spin on for many seconds.
     """
 
     def __init__(self, rollout: Rollout, shot: Shot | None, lead: float = 0.0, again: bool = False) -> None:
         self.rollout = rollout
         self.shot = shot
         self.end = ending(rollout)
+        self._settled = settling(rollout)
         self.time = -lead
         self.rate = 1.0
         self.fast = False
@@ -59,7 +61,8 @@ class Playback:
         """Let `dt` seconds pass."""
         if self.running:
             self._at = None
-            self.time = min(self.time + dt * self.rate * (_FAST if self.fast else 1.0), self.end)
+            fast = self.fast or (self.time >= self._settled and not self.review)
+            self.time = min(self.time + dt * self.rate * (_FAST if fast else 1.0), self.end)
 
     def pause(self) -> None:
         """Hold it, with its time line out."""

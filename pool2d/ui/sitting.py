@@ -99,8 +99,12 @@ class Sitting:
     @property
     def titles(self) -> tuple[str, str]:
         """What the upper bar tells of practice, on its left and on its right."""
-        shot = say("play.shot", number=self.session.strokes + 1)
-        note = f"{shot}   \N{MIDDLE DOT}   {say('play.left', count=self.session.left)}"
+        number, left = self.session.strokes + 1, self.session.left
+        if self.playback is not None:
+            # A shot that is seen is not told of before it is.
+            number -= 1
+            left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(self.stage.down)
+        note = f"{say('play.shot', number=number)}   \N{MIDDLE DOT}   {say('play.left', count=left)}"
         table = self.session.table
         return say("play.tuned", table=table.title) if table.set or table.conditions else table.title, note
 
@@ -132,6 +136,7 @@ class Sitting:
         self.referee = Referee()
         self.told = self._welcome if session.free else self._verdict
         self._who = session.ask.who
+        self.hands.face(self.session.cue, self.session.layout)
         last = None
         for before, moment in pairwise(session.match.history):
             if moment.rollout is not None:
@@ -198,6 +203,7 @@ class Sitting:
             return
         self.drop()
         self.session.rack(random.randrange(1 << 30))
+        self.hands.face(self.session.cue, self.session.layout)
         self.told = lambda: say("play.new_rack")
 
     def open_table(self, name: str) -> None:

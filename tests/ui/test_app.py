@@ -193,6 +193,25 @@ def test_a_screenshot_is_a_picture_of_the_window(hand: Hand, tmp_path: Path, mon
         assert str(picture) in toasted(hand)
 
 
+def test_a_key_that_is_held_does_once_what_is_done_once(
+    hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("POOL2D_PICTURES", str(tmp_path))
+    for _ in range(5):
+        hand.post(pygame.KEYDOWN, key=pygame.K_F12, mod=0, unicode="")
+    assert len(list(tmp_path.glob("*.png"))) == 1
+    hand.post(pygame.KEYUP, key=pygame.K_F12, mod=0)
+    hand.post(pygame.KEYDOWN, key=pygame.K_F12, mod=0, unicode="")
+    assert len(list(tmp_path.glob("*.png"))) == 2
+
+
+def test_a_key_that_is_held_goes_on_turning_the_aim(hand: Hand) -> None:
+    angle = hand.play.hands.aim.angle
+    for _ in range(5):
+        hand.post(pygame.KEYDOWN, key=pygame.K_LEFT, mod=0, unicode="")
+    assert hand.play.hands.aim.angle == pytest.approx(angle + 0.25)
+
+
 def test_a_screenshot_that_cannot_be_saved_is_told(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("POOL2D_PICTURES", str(tmp_path / "file"))

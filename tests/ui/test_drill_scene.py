@@ -233,3 +233,14 @@ def test_a_stroke_is_seen_again_though_the_balls_were_set_up_for_the_next_step(h
     hand.key(pygame.K_F5)
     hand.key(pygame.K_r)
     assert play.playback is None
+
+
+def test_the_goal_is_told_again_once_anything_else_has_been_read(hand: Hand) -> None:
+    play = begin(hand, "stop-shot")
+    goal = play.message
+    assert goal
+    hand.key(pygame.K_u)
+    assert play.message != goal
+    for _ in range(20):
+        hand.app.step(0.5)
+    assert play.message == goal

@@ -140,3 +140,17 @@ def test_at_rest_nothing_needs_to_be_drawn_anew(hand: Hand) -> None:
     assert hand.play.still
     hand.key(pygame.K_SPACE)
     assert not hand.play.still
+
+
+@pytest.mark.parametrize(("table", "angle"), [("pool-9ft", 0.0), ("carom-10ft", None)])
+def test_a_new_rack_is_faced(hand: Hand, table: str, angle: float | None) -> None:
+    hand.play.open_table(table)
+    hand.point(0.1, 1.2)
+    hand.key(pygame.K_w)
+    hand.key(pygame.K_n)
+    aim, session = hand.play.hands.aim, hand.play.session
+    others = [ball for ball in session.layout.values() if ball.id != session.cue.id]
+    x, y = sum(ball.x for ball in others) / len(others), sum(ball.y for ball in others) / len(others)
+    way = math.degrees(math.atan2(y - session.cue.y, x - session.cue.x))
+    assert math.remainder(aim.angle - (way if angle is None else angle), 360.0) == pytest.approx(0.0, abs=0.01)
+    assert (aim.side, aim.height, aim.elevation) == (0.0, 0.0, 0.0)
