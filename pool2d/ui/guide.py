@@ -11,6 +11,7 @@ import pygame
 from ..physics.motion import Motion
 from ..physics.rollout import Event, Rollout
 from ..physics.values import POCKETED, SLIDING, Ball
+from ..racks import Look
 from ..settings import GUIDES
 from ..table import Table
 from . import ball_art, pen, theme
@@ -22,6 +23,8 @@ OFF, LINE, GHOST, WHOLE = range(len(GUIDES))
 EVENTS = 25
 # How far the cue ball's way after the contact is followed, m.
 _AFTER = 0.6
+# How far a line is lighter than its ball, from the ball's own colour to white.
+_LIFT = 0.35
 _MEETINGS = ("ball_ball", "ball_cushion", "ball_pocket", "cluster")
 
 Line = list[tuple[float, float]]
@@ -81,10 +84,13 @@ def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: 
         return
     radius = table.body_of(guide.ghost)[0] * view.scale
     centre = view.to_screen(guide.ghost.x, guide.ghost.y)
-    _line(surface, theme.GUIDE_CUE, guide.after, view, 1.2 * scale)
-    _line(surface, theme.GUIDE_BALL, guide.object, view, 1.8 * scale)
     pen.disc(surface, (*theme.GUIDE_CUE[:3], 56), centre, radius)
     pen.ring(surface, theme.GUIDE_CUE, centre, radius - 0.5, 1.4 * scale)
+    if level > GHOST:
+        # The ways on are among those of the whole shot.
+        return
+    _line(surface, theme.GUIDE_CUE, guide.after, view, 1.2 * scale)
+    _line(surface, theme.GUIDE_BALL, guide.object, view, 1.8 * scale)
     if guide.object:
         pen.disc(surface, theme.GUIDE_BALL, view.to_screen(*guide.object[-1]), 3.0 * scale)
 
@@ -95,20 +101,31 @@ def draw_whole(
     table: Table,
     view: View,
     cue: theme.Color = theme.GUIDE_CUE,
-    others: theme.Color = theme.GUIDE_BALL,
+    others: theme.Color | None = None,
     style: theme.Style = theme.PLAIN,
 ) -> None:
-    """Draw every ball's way to its end, the struck one's in the colour `cue`, and where it comes to rest."""
+    """Draw every ball's way to its end, and where it comes to rest or into which pocket it falls.
+
+    The way of the struck ball has the colour `cue`, that of every other one `others`, or else its ball's own.
+    """
     scale = _scale(view)
     struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
     for ball in rollout.layout().values():
         if len(rollout.tracks.get(ball.id, ())) > 1:
-            color = cue if ball.id in struck else others
+            look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
+            color = cue if ball.id in struck else others or _own(look, style)
             _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.2 * scale)
-            if ball.phase != POCKETED:
-                radius = table.body_of(ball)[0] * view.scale
-                look = table.furniture.looks.get(ball.id)
-                ball_art.draw(surface, ball.id, view.to_screen(ball.x, ball.y), radius, True, look, style=style)
+            radius, place = table.body_of(ball)[0] * view.scale, view.to_screen(ball.x, ball.y)
+            if ball.phase == POCKETED:
+                pen.ring(surface, color, place, radius, 2.0 * scale)
+            else:
+                ball_art.draw(surface, ball.id, place, radius, True, look, style=style)
+
+
+def _own(look: Look, style: theme.Style) -> theme.Color:
+    """A ball's colour, light enough for a line on the cloth."""
+    red, green, blue = (round(part + _LIFT * (255 - part)) for part in style.palette.color(look.color)[:3])
+    return red, green, blue
 
 
 def _scale(view: View) -> float:

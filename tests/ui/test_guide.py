@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+import pygame
 import pytest
 
 from pool2d import Ball, Layout, Shot, load_table, simulate
-from pool2d.ui import guide
+from pool2d.physics.values import POCKETED
+from pool2d.ui import ball_art, guide
+from pool2d.ui.view import fit
 
 TABLE = load_table("pool-9ft")
 CUE = Ball("cue", 0.635, 0.5)
@@ -96,3 +99,35 @@ def test_a_shot_that_meets_nothing_has_no_ghost() -> None:
     assert view.ghost is None
     assert view.object == []
     assert view.cue[-1][1] > CUE.y
+
+
+@pytest.mark.parametrize("ball", ["1", "2", "3", "14"])
+def test_in_the_whole_guide_a_way_has_the_colour_of_its_ball(ball: str) -> None:
+    layout = Layout([Ball("cue", 0.6, 0.6), Ball(ball, 0.9, 0.6)])
+    rollout = simulate(TABLE, layout, Shot(speed=1.5))
+    view = fit(2.54, 1.27, (0, 0, 1280, 720))
+    picture = pygame.Surface((1280, 720))
+    guide.draw_whole(picture, rollout, TABLE, view)
+    # Where the object ball is half-way, beyond where the cue ball comes.
+    at = rollout.layout()[ball].x
+    x, y = view.to_screen(0.5 * (at + rollout.layout()["cue"].x), 0.6)
+    drawn, own = picture.get_at((round(x), round(y))), pygame.Color(ball_art.usual(ball).color)
+    assert drawn.hsva[0] == pytest.approx(own.hsva[0], abs=3.0)
+    assert drawn.hsva[1] > 25.0
+
+
+def test_the_whole_guide_rings_the_pocket_that_a_ball_falls_into() -> None:
+    layout = Layout([Ball("cue", 0.6, 0.6), Ball("3", 0.3, 0.3)])
+    rollout = simulate(TABLE, layout, Shot(angle=225.0, speed=2.5))
+    fallen = rollout.layout()["3"]
+    assert fallen.phase == POCKETED
+    view = fit(2.54, 1.27, (0, 0, 1280, 720))
+    picture = pygame.Surface((1280, 720))
+    guide.draw_whole(picture, rollout, TABLE, view)
+    x, y = view.to_screen(fallen.x, fallen.y)
+    radius = 0.028575 * view.scale
+    ring = [
+        picture.get_at((round(x + radius * math.cos(turn)), round(y + radius * math.sin(turn))))[0]
+        for turn in (i * math.tau / 12 for i in range(12))
+    ]
+    assert min(ring) > 60
