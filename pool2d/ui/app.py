@@ -14,7 +14,7 @@ from ..game.session import practice
 from ..preset import load_table
 from ..settings import GUIDES, Settings, Store
 from ..table import Table
-from . import text, words
+from . import rulings, text, words
 from .dialog import Dialog, ground
 from .drill_shelf import DrillShelf
 from .effects import effects_of, style_of
@@ -223,7 +223,7 @@ class App:
         """Name the window after the table that is seen."""
         seen = ground(self.scene) if self.scene is not None else None
         stage = seen.stage if isinstance(seen, Play | Replay) else self.play.stage
-        caption = f"pool2d \N{EN DASH} {stage.table.title}"
+        caption = f"pool2d \N{EN DASH} {rulings.table_title(stage.table.source, stage.table.title)}"
         if caption != self._caption:
             self._caption = caption
             pygame.display.set_caption(caption)

@@ -32,6 +32,11 @@ def title(game: str) -> str:
     return say(f"game.{game}")
 
 
+def table_title(name: str, own: str) -> str:
+    """What the table of a preset is called; its own title, where the language has no other for it."""
+    return say_or(f"table.{name}", own)
+
+
 def setting(name: str) -> str:
     """What is set by one of a game's options; what its values are called is `choice.<value>`."""
     return say(f"option.{name}")

@@ -14,7 +14,7 @@ from ..physics.rollout import Rollout
 from ..physics.values import Layout, Shot
 from ..preset import load_table
 from ..table import Table
-from . import guide, stroke, telling
+from . import guide, rulings, stroke, telling
 from .aim import Aim
 from .effects import Effects
 from .hands import Hands
@@ -106,7 +106,8 @@ class Sitting:
             left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(self.stage.down)
         note = f"{say('play.shot', number=number)}   \N{MIDDLE DOT}   {say('play.left', count=left)}"
         table = self.session.table
-        return say("play.tuned", table=table.title) if table.set or table.conditions else table.title, note
+        title = rulings.table_title(table.source, table.title)
+        return say("play.tuned", table=title) if table.set or table.conditions else title, note
 
     @property
     def time(self) -> float:
@@ -209,8 +210,8 @@ class Sitting:
     def open_table(self, name: str) -> None:
         """Go over to another preset, with a new rack; raises InputError."""
         self.take_table(load_table(name))
-        title = self.session.table.title
-        self.told = lambda: say("play.new_table", table=title)
+        table = self.session.table
+        self.told = lambda: say("play.new_table", table=rulings.table_title(table.source, table.title))
 
     def take_table(self, table: Table, layout: Layout | None = None) -> None:
         """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""

@@ -11,7 +11,7 @@ from ..game.session import PRACTICE
 from ..preset import load_table, presets
 from .entry import Entry
 from .play import Play
-from .rulings import title
+from .rulings import table_title, title
 from .scene import Scene
 from .shelf import Shelf
 from .widgets import Widget
@@ -35,7 +35,7 @@ class TableShelf(Shelf):
         except InputError as error:
             return Entry(name, do, below=str(error))
         games = ", ".join(title(game) for game in games_for(table) if game != PRACTICE)
-        return Entry(table.title, do, below=games)
+        return Entry(table_title(name, table.title), do, below=games)
 
     def _open(self, name: str) -> None:
         self.play.open_table(name)

@@ -9,13 +9,14 @@ from pathlib import Path
 
 import pytest
 
+from pool2d import catalogue
 from pool2d.assets import asset
 from pool2d.game.drills import MISSES
 from pool2d.game.rules import GAMES
 from pool2d.game.rules.words import ENGLISH as RULINGS
 from pool2d.game.setup import BREAKS
 from pool2d.knobs import walk
-from pool2d.preset import conditions
+from pool2d.preset import conditions, title_of
 from pool2d.settings import GUIDES, Settings
 from pool2d.table import Knobs
 from pool2d.ui import timeline, tuning, vectors, words
@@ -35,6 +36,7 @@ ELSEWHERE = (
     {f"{key}_hint": knob.doc for key, knob in KNOBS.items()}
     | {f"option.{game}.{name}_hint": knob.doc for (game, name), knob in OPTIONS.items()}
     | {f"ruling.{key}": text for key, text in RULINGS.items()}
+    | {f"table.{name}": title_of(name) for name in catalogue.shipped(catalogue.TABLES)}
 )
 
 
