@@ -145,13 +145,12 @@ class Hands:
         self.aim = replace(Aim(), angle=self.aim.angle)
 
     def face(self, cue: Ball, layout: Layout) -> None:
-        """Before a new rack: the cue as at first, pointing at the middle of the balls until the pointer is moved."""
+        """Before a new rack: aim at the middle of the balls until the pointer is moved."""
         balls = [ball for ball in layout.on_table() if ball.id != cue.id]
-        self.aim, self.hold = Aim(), self.pointer
         if balls:
             x, y = (sum(getattr(ball, axis) for ball in balls) / len(balls) for axis in "xy")
             angle = math.degrees(math.atan2(y - cue.y, x - cue.x))
-            self.aim = Aim(angle=round(angle, 2) % 360.0)
+            self.aim, self.hold = replace(self.aim, angle=round(angle, 2) % 360.0), self.pointer
 
     def center(self) -> None:
         """No spin, level cue."""

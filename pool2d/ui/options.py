@@ -10,8 +10,10 @@ from ..knobs import Knob, walk
 from ..settings import Store
 from . import text, theme, words
 from .dialog import Dialog
+from .effects import style_of
 from .inputs import Choice, Slider
 from .keys import DEFAULTS, FIXED, KEYS, chord_of, may_be_bound, shown
+from .samples import Samples
 from .scene import Scene
 from .widgets import Button, Gap, Heading, Tabs, Toggle, Widget, face, plate, tone
 from .words import say
@@ -28,7 +30,7 @@ OFFERED: dict[str, Callable[[], Sequence[str]]] = {
 # Settings that hands change elsewhere, by dragging the window's edge.
 _ELSEWHERE = ("screen.width", "screen.height")
 # So tall, in rows, is every page but the keys', lest the panel jump from one to the next.
-_TALL = 5.0
+_TALL = 5.4
 
 
 class Options(Dialog):
@@ -47,6 +49,7 @@ class Options(Dialog):
         self.form.set_rows(
             [
                 [Heading(lambda: say("options.title"), theme.TEXT, large=True)],
+                [Gap(0.15)],
                 [Tabs(PAGES, lambda: self.page, self._open, lambda page: say(f"options.page.{page}"))],
                 [Gap(0.4)],
                 *([widget] for widget in page),
@@ -63,7 +66,8 @@ class Options(Dialog):
         if self.page == KEYS_PAGE:
             rows = [KeyRow(action, self._keys_changed) for action in DEFAULTS if action not in FIXED]
             return [Heading(lambda: say("options.keys.intro"), lines=2), *rows]
-        return [self._widget(name, knob) for name, knob in self._settings()]
+        samples = [Samples(lambda: style_of(self.store.values))] if self.page == "balls" else []
+        return [*samples, *(self._widget(name, knob) for name, knob in self._settings())]
 
     def _settings(self) -> list[tuple[str, Knob]]:
         """The settings on the open page."""

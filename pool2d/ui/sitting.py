@@ -137,6 +137,7 @@ class Sitting:
         self.referee = Referee()
         self.told = self._welcome if session.free else self._verdict
         self._who = session.ask.who
+        self.hands.take_over()
         self.hands.face(self.session.cue, self.session.layout)
         last = None
         for before, moment in pairwise(session.match.history):

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import pygame
 
 from ..game.falls import Fall
+from ..physics.turning import FACING, Quaternion
 from ..racks import Look
 from . import ball_art, theme
 from .ball_art import Placed
@@ -26,8 +27,10 @@ def sinking(fall: Fall, ball: Placed) -> Placed:
     )
 
 
-def draw(surface: pygame.Surface, room: pygame.Rect, looks: Sequence[Look], style: theme.Style) -> None:
-    """Draw balls side by side in the middle of `room`, closer together where they are many."""
+def draw(
+    surface: pygame.Surface, room: pygame.Rect, looks: Sequence[Look], style: theme.Style, lie: Quaternion = FACING
+) -> None:
+    """Draw balls side by side in the middle of `room`, closer together where they are many; all `lie` alike."""
     if not looks:
         return
     radius = room.height * _RADIUS
@@ -38,5 +41,5 @@ def draw(surface: pygame.Surface, room: pygame.Rect, looks: Sequence[Look], styl
     pygame.draw.rect(surface, theme.BACKGROUND, trough, border_radius=trough.height // 2)
     pygame.draw.rect(surface, theme.FACE_LIT, trough, 1, border_radius=trough.height // 2)
     left = room.centerx - pitch * (len(looks) - 1) / 2.0
-    row = [Placed(look, (left + i * pitch, room.centery), radius, shadow=False) for i, look in enumerate(looks)]
+    row = [Placed(look, (left + i * pitch, room.centery), radius, lie, shadow=False) for i, look in enumerate(looks)]
     ball_art.draw_all(surface, row, style)

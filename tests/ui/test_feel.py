@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 import time
+from dataclasses import replace
 from itertools import pairwise
 
 import pygame
@@ -12,7 +13,7 @@ import pytest
 
 from pool2d import Ball
 from pool2d.ui import stroke
-from pool2d.ui.aim import FULL_PULL, MAX_SPEED, drawn_back, pulled_speed
+from pool2d.ui.aim import FULL_PULL, MAX_SPEED, Aim, drawn_back, pulled_speed
 from pool2d.ui.effects import Effects
 
 from .conftest import FRAME, Hand
@@ -147,10 +148,15 @@ def test_a_new_rack_is_faced(hand: Hand, table: str, angle: float | None) -> Non
     hand.play.open_table(table)
     hand.point(0.1, 1.2)
     hand.key(pygame.K_w)
+    hand.key(pygame.K_UP)
+    before = hand.play.hands.aim
     hand.key(pygame.K_n)
     aim, session = hand.play.hands.aim, hand.play.session
     others = [ball for ball in session.layout.values() if ball.id != session.cue.id]
     x, y = sum(ball.x for ball in others) / len(others), sum(ball.y for ball in others) / len(others)
     way = math.degrees(math.atan2(y - session.cue.y, x - session.cue.x))
     assert math.remainder(aim.angle - (way if angle is None else angle), 360.0) == pytest.approx(0.0, abs=0.01)
-    assert (aim.side, aim.height, aim.elevation) == (0.0, 0.0, 0.0)
+    # Whoever tries a break again wants it as it was struck.
+    assert aim == replace(before, angle=aim.angle) and aim.height > 0.0
+    hand.play.open_table(table)
+    assert hand.play.hands.aim == Aim(angle=aim.angle)

@@ -17,6 +17,7 @@ from pool2d.ui.inputs import Choice, Slider
 from pool2d.ui.keys import DEFAULTS, KEYS, action_of
 from pool2d.ui.options import PAGES, KeyRow, Options
 from pool2d.ui.play import Play
+from pool2d.ui.samples import Samples
 from pool2d.ui.widgets import Button, Tabs, Toggle, Widget
 
 from .conftest import Hand
@@ -243,3 +244,21 @@ def test_every_page_stays_inside_the_window(size: tuple[int, int], language: str
             assert all(scene.form.rect.contains(w.rect) for w in scene.form.widgets)
     app.close()
     words.speak("en")
+
+
+def test_balls_are_shown_as_their_options_make_them(hand: Hand) -> None:
+    options(hand, "balls")
+
+    def row() -> bytes:
+        hand.app.redraw()
+        hand.app.step(0.0)
+        scene = hand.app.scene
+        assert isinstance(scene, Options)
+        samples = next(widget for widget in scene.form.widgets if isinstance(widget, Samples))
+        return pygame.image.tobytes(hand.app.surface.subsurface(samples.rect), "RGB")
+
+    seen = {row()}
+    for name, value in (("balls.palette", "colour-blind"), ("balls.patterned", True)):
+        hand.app.store.turn(name, value)
+        seen.add(row())
+    assert len(seen) == 3
