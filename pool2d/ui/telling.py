@@ -21,7 +21,9 @@ def title(event: Event, cue: str) -> str:
         return say("event.miscue")
     balls = [ball_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
     where, every = place_name(event.where or ""), ", ".join(balls)
-    return begun(say(f"event.{event.kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
+    spins = event.kind == "rolling_resting" and any(ball.wz for ball in event.after.values())
+    kind = "spins_on" if spins else event.kind
+    return begun(say(f"event.{kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
 
 
 def missed(rollout: Rollout) -> bool:

@@ -289,28 +289,3 @@ def test_every_kind_of_event_has_a_title() -> None:
     titles = {event.kind: telling.title(event, "cue") for event in events}
     assert {"cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster", "sliding_rolling"} <= set(titles)
     assert all("_" not in title for title in titles.values())
-
-
-SPUN = simulate(TABLE, Layout([Ball("cue", 0.635, 0.5, wz=200.0)]))
-
-
-def test_a_ball_that_only_spins_holds_nobody_up() -> None:
-    shown = Playback(SPUN, None)
-    assert shown.end > 4.0
-    shown.update(0.25)
-    assert shown.time == pytest.approx(2.0)
-
-
-def test_on_the_time_line_it_spins_as_long_as_it_does() -> None:
-    shown = Playback(SPUN, None, again=True)
-    shown.update(0.25)
-    assert shown.time == pytest.approx(0.25)
-
-
-def test_while_a_ball_moves_time_runs_as_it_is() -> None:
-    shown = Playback(ROLL, None)
-    last = max(event.t for event in ROLL.events if event.kind == "rolling_resting")
-    while shown.time < last - 0.1:
-        before = shown.time
-        shown.update(0.05)
-        assert shown.time == pytest.approx(before + 0.05)
