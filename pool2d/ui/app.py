@@ -223,7 +223,7 @@ class App:
         """Name the window after the table that is seen."""
         seen = ground(self.scene) if self.scene is not None else None
         stage = seen.stage if isinstance(seen, Play | Replay) else self.play.stage
-        caption = f"pool2d \N{EN DASH} {rulings.table_title(stage.table.source, stage.table.title)}"
+        caption = f"pool2d \N{EN DASH} {rulings.table_title(stage.table)}"
         if caption != self._caption:
             self._caption = caption
             pygame.display.set_caption(caption)

@@ -170,6 +170,7 @@ def _cut(picture: pygame.Surface, given: View, part: pygame.Surface, view: View,
     box.width, box.height = math.ceil(right) - box.left, math.ceil(bottom) - box.top
     box = box.clip(picture.get_rect())
     part.fill(theme.BACKGROUND)
-    scale = pygame.transform.scale if quick else pygame.transform.smoothscale
-    scaled = scale(picture.subsurface(box), (round(box.width * factor), round(box.height * factor)))
+    seen, to = picture.subsurface(box), (round(box.width * factor), round(box.height * factor))
+    # Smooth scaling makes copies of its own of 24 bits, more than one.
+    scaled = pygame.transform.scale(seen, to) if quick else pygame.transform.smoothscale(table_art.lively(seen), to)
     part.blit(scaled, (round((box.left - left) * factor), round((box.top - top) * factor)))

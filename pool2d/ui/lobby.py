@@ -87,7 +87,6 @@ class Lobby:
         """Play a session, in place of the one so far; what follows from where it stands."""
         if self.play.session.free:
             self._practice = self.play.session, self.play.hands.aim
-        self.play.hands.take_over()
         self.play.begin(session)
         return self.ended() or self.play
 

@@ -185,8 +185,8 @@ class NewMatch(Dialog):
         """The name of a table as its preset has it; that of the preset where it cannot be read."""
         table = self._tables.get(name)
         if name == TUNED and table is not None:
-            return say("match.tuned", table=rulings.table_title(table.source, table.title))
-        return rulings.table_title(name, title_of(name) if table is None else table.title)
+            return say("match.tuned", table=rulings.table_title(table))
+        return rulings.preset_title(name, title_of(name) if table is None else table.title)
 
     def _breakers(self) -> list[str]:
         """Who may be said to break first, as a setup has them."""

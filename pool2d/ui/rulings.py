@@ -1,6 +1,7 @@
-"""What the rules and the drills say, in the player's language.
+"""What the rules, the drills and the presets say, in the player's language.
 
-Their English is their own: a catalogue has `ruling.<key>` and `option.<game>.<option>_hint` only in another language.
+Their English is their own: a catalogue has `ruling.<key>`, `option.<game>.<option>_hint` and `table.<preset>` only in
+another language.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from ..game.drills import Drill, Wording
 from ..game.match import Match, Moment
 from ..game.rules import Note
 from ..game.rules import words as rules
+from ..table import Table
 from .telling import ball_name, place_name
 from .words import language, say, say_or
 
@@ -32,7 +34,12 @@ def title(game: str) -> str:
     return say(f"game.{game}")
 
 
-def table_title(name: str, own: str) -> str:
+def table_title(table: Table) -> str:
+    """What a table is called."""
+    return preset_title(table.source, table.title)
+
+
+def preset_title(name: str, own: str) -> str:
     """What the table of a preset is called; its own title, where the language has no other for it."""
     return say_or(f"table.{name}", own)
 

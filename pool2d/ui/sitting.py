@@ -106,7 +106,7 @@ class Sitting:
             left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(self.stage.down)
         note = f"{say('play.shot', number=number)}   \N{MIDDLE DOT}   {say('play.left', count=left)}"
         table = self.session.table
-        title = rulings.table_title(table.source, table.title)
+        title = rulings.table_title(table)
         return say("play.tuned", table=title) if table.set or table.conditions else title, note
 
     @property
@@ -212,7 +212,7 @@ class Sitting:
         """Go over to another preset, with a new rack; raises InputError."""
         self.take_table(load_table(name))
         table = self.session.table
-        self.told = lambda: say("play.new_table", table=rulings.table_title(table.source, table.title))
+        self.told = lambda: say("play.new_table", table=rulings.table_title(table))
 
     def take_table(self, table: Table, layout: Layout | None = None) -> None:
         """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""

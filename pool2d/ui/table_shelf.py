@@ -35,7 +35,7 @@ class TableShelf(Shelf):
         except InputError as error:
             return Entry(name, do, below=str(error))
         games = ", ".join(title(game) for game in games_for(table) if game != PRACTICE)
-        return Entry(table_title(name, table.title), do, below=games)
+        return Entry(table_title(table), do, below=games)
 
     def _open(self, name: str) -> None:
         self.play.open_table(name)

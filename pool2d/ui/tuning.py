@@ -18,7 +18,7 @@ from . import theme
 from .form import Form
 from .hud import Screen
 from .inputs import Choice, ListBox, Slider
-from .rulings import table_title
+from .rulings import preset_title, table_title
 from .widgets import Button, Heading, Tabs, Widget
 from .words import number, say, say_or, unit
 
@@ -216,7 +216,7 @@ class Tuning:
         """The title of a preset; its file is read once as long as the panel is open."""
         if name not in self._titles:
             self._titles[name] = title_of(name)
-        return table_title(name, self._titles[name])
+        return preset_title(name, self._titles[name])
 
     def _conditions(self) -> str:
         return ", ".join(self.session.table.conditions) or NOTHING
@@ -264,7 +264,7 @@ class Tuning:
     def _summary(self) -> str:
         changed = len(self.session.table.set)
         table = self.session.table
-        parts = [table_title(table.source, table.title), *map(_condition, table.conditions)]
+        parts = [table_title(table), *map(_condition, table.conditions)]
         return f"{', '.join(parts)}; {say('tuning.turned', count=changed) if changed else say('tuning.unturned')}"
 
     def _compared(self) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pygame
@@ -21,6 +22,14 @@ def left_match(race: int = 2) -> Path:
     session.play(Shot(speed=8.0))
     session.leave()
     return unfinished()[0]
+
+
+def left_matches(*races: int) -> list[Path]:
+    """Matches that were left, the first the latest."""
+    paths = [left_match(race) for race in races]
+    for age, path in enumerate(paths):
+        os.utime(path, (10 - age, 10 - age))
+    return paths
 
 
 def playing(hand: Hand, race: int = 2) -> Session:

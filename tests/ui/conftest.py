@@ -20,6 +20,8 @@ from pool2d.ui.app import App
 from pool2d.ui.play import Play
 
 FRAME = 1.0 / 60.0
+# The two balls of `two`.
+CUE, ONE = Ball("cue", 0.6, 0.6), Ball("1", 1.4, 0.7)
 
 pygame.font.init()
 
@@ -97,6 +99,14 @@ def hand() -> Iterator[Hand]:
     pygame.event.clear()
     yield Hand(app)
     app.close()
+
+
+@pytest.fixture
+def two(hand: Hand) -> Hand:
+    """A hand at a table with two balls."""
+    hand.set_balls(CUE, ONE)
+    hand.point(1.0, 0.3)
+    return hand
 
 
 @pytest.fixture

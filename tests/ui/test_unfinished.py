@@ -19,7 +19,7 @@ from pool2d.ui.menu import Menu
 from pool2d.ui.play import Play
 from pool2d.ui.replays import RecordShelf
 
-from .at_menu import choose, labels, left_match, playing, shown
+from .at_menu import choose, labels, left_match, left_matches, playing, shown
 from .conftest import Hand
 
 
@@ -72,9 +72,7 @@ def test_a_match_that_no_longer_plays_as_recorded_is_told_and_left_alone(
 
 
 def test_of_several_matches_that_were_left_any_is_gone_on_with() -> None:
-    paths = [left_match(race) for race in (2, 3)]
-    for age, path in enumerate(paths):
-        os.utime(path, (10 - age, 10 - age))
+    left_matches(2, 3)
     app = App(load_table("pool-9ft"), seed=3, menu=True)
     guest = Hand(app)
     assert labels(guest)[:2] == ["Continue", "Unfinished matches"]
@@ -111,9 +109,7 @@ def test_a_match_that_nobody_began_leaves_no_record() -> None:
 
 
 def test_an_unfinished_match_is_thrown_away_when_asked_twice() -> None:
-    paths = [left_match(race) for race in (2, 3)]
-    for age, path in enumerate(paths):
-        os.utime(path, (10 - age, 10 - age))
+    paths = left_matches(2, 3)
     app = App(load_table("pool-9ft"), seed=3, menu=True)
     guest = Hand(app)
     choose(guest, "Unfinished matches")
