@@ -16,9 +16,12 @@ CLEAR = 1e-4
 
 
 def within(table: Table, where: str, x: float, y: float) -> bool:
-    """Whether a point is in an area of the surface; the kitchen is without its line, the D with it."""
+    """Whether a point is in an area of the bed; the kitchen is without its line, the D with it.
+
+    The shelves of pockets are of the bed: a ball that stopped there is on the table.
+    """
     line = table.furniture.head_string
-    if not table.on_surface(x, y):
+    if not table.on_cloth(x, y):
         return False
     if where == KITCHEN and line is not None:
         return x < line
