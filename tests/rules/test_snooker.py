@@ -99,10 +99,12 @@ def test_a_player_is_warned_before_the_third_miss() -> None:
 
 
 def test_a_frame_is_claimed_or_conceded() -> None:
-    """2.1 (a), (b)"""
+    """2.1 (a), (b): only the striker may concede."""
     ahead = ruled("phase order, balls pink black, scores 60 50", "cue-pink pink>")
     assert chosen(ahead, "claim").state.winner == 0
-    assert RULES.conceded(ahead.state, ahead.layout, 1).state.winner == 0
+    assert RULES.conceded(ahead.state, ahead.layout, 0).state.winner == 1
+    with pytest.raises(InputError, match="concede = 1: allowed is 0, whose turn it is"):
+        RULES.conceded(ahead.state, ahead.layout, 1)
 
 
 @pytest.mark.parametrize(("key", "who"), [("play", 1), ("pass", 0)])

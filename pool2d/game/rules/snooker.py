@@ -7,6 +7,7 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from ...errors import InputError
 from ...knobs import choice
 from ...outline import Point
 from ...physics.values import POCKETED, Layout
@@ -14,7 +15,21 @@ from ..report import Report
 from .base import Options, Rules, Ruling, State
 from .pool import added, points, told
 from .sight import sees, sees_full, snookered, snookered_from
-from .snooker_fouls import COLOR, LEAST, ORDER, RED, Aim, Foul, aimed, balls_on, fouls, missed, penalty, scored
+from .snooker_fouls import (
+    COLOR,
+    LEAST,
+    ORDER,
+    RED,
+    Aim,
+    Foul,
+    aimed,
+    balls_on,
+    fouls,
+    missed,
+    nominable,
+    penalty,
+    scored,
+)
 from .snooker_spots import COLORS, spot_colors, value
 from .spotting import D, put
 from .words import Note
@@ -119,6 +134,12 @@ class Snooker(Rules[SnookerState]):
             return self.ruled(self.aiming(state, layout, self.other(who), where), layout)
         return self.ruled(self.aiming(state, layout, who, where, self.free_ball(state, layout)), layout)
 
+    def conceded(self, state: SnookerState, layout: Layout, player: int) -> Ruling:
+        """2.1 (a): only the striker may concede; raises InputError for the other player."""
+        if player != state.ask.who:
+            raise InputError(self.name, "concede", player, f"allowed is {state.ask.who}, whose turn it is")
+        return super().conceded(state, layout, player)
+
     def free_ball(self, state: SnookerState, layout: Layout) -> bool:
         """3.12: whether the cue ball is snookered after a foul."""
         on, cue = balls_on(state.phase, layout), layout[self.table.furniture.cue]
@@ -146,8 +167,8 @@ class Snooker(Rules[SnookerState]):
         notes = told(change)
         if last:
             return self._end(state, layout, change, notes, told_of, spotted)
-        if missed(found) and self._is_miss(was, state, layout, report, aim):
-            full = sees_full(self.table, report.start, report.start[report.cue], aim.first)
+        if missed(found) and self._is_miss(was, state, layout, report):
+            full = sees_full(self.table, report.start, report.start[report.cue], could_be_on(was, report.start))
             misses = misses + 1 if full else 0
             notes += (Note("miss"),)
             if misses == 3:
@@ -166,15 +187,16 @@ class Snooker(Rules[SnookerState]):
         state = self.to_choose(state, opponent, *options)
         return self.ruled(state, layout, *notes, fouls=told_of, spotted=spotted, points=change)
 
-    def _is_miss(self, before: SnookerState, after: SnookerState, layout: Layout, report: Report, aim: Aim) -> bool:
+    def _is_miss(self, before: SnookerState, after: SnookerState, layout: Layout, report: Report) -> bool:
         """3.14: whether a failure to hit a ball on is a miss.
 
-        (c): it is where a part of a ball on was in sight; whether it is without, as the option says, since a
-        referee's opinion is asked for. (a): it is none where a player needed penalty points before or after it, or what
-        is left equals the difference; but (d) it is when a full ball is missed again from the same place.
+        (c): it is where a part of a ball was in sight that was on or could have been, had it been nominated; whether it
+        is without, as the option says, since a referee's opinion is asked for. (a): it is none where a player needed
+        penalty points before or after it, or what is left equals the difference; but (d) it is when a full ball is
+        missed again from the same place.
         """
         start, cue = report.start, report.start[report.cue]
-        on = aim.first or balls_on(before.phase, start)
+        on = could_be_on(before, start)
         if self.options.miss == "never":
             return False
         if before.misses and sees_full(self.table, start, cue, on):
@@ -222,6 +244,11 @@ class Snooker(Rules[SnookerState]):
             for turn in (-4, 4, 0, -2, 2, -3, 3, -1, 1):
                 angle = 0.125 * math.pi * turn
                 yield x - radius * math.cos(angle), y + radius * math.sin(angle)
+
+
+def could_be_on(state: SnookerState, layout: Layout) -> tuple[str, ...]:
+    """3.14 (c): the balls on, and those that a nomination could have made so."""
+    return (*balls_on(state.phase, layout), *nominable(state.phase, state.free, layout))
 
 
 def points_left(phase: str, layout: Layout, free: bool = False) -> int:

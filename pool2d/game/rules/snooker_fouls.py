@@ -56,23 +56,31 @@ def balls_on(phase: str, layout: Layout) -> tuple[str, ...]:
 def aimed(phase: str, free: bool, report: Report) -> Aim:
     """What the striker was on.
 
-    Where nothing was said, the ball hit first is taken to be meant, as where it is plain to the referee.
+    Where nothing was said, the ball hit first is taken to be meant, as where it is plain to the referee, or where none
+    was hit the one that the cue ball touched. Of two hit at once it is the one that can be nominated.
     """
-    on = balls_on(phase, report.start)
-    said = report.call.ball or next(iter(report.first), "")
+    on, choice = balls_on(phase, report.start), nominable(phase, free, report.start)
+    meant = report.first or report.touching
+    said = report.call.ball or next((ball for ball in meant if ball in choice), "")
+    named = said if said in choice else ""
     if phase == COLOR:
-        touched = next((ball for ball in report.touching if ball in on), "") if not said else ""
-        named = said if said in on else touched
         return Aim((named,), value(named)) if named else Aim((), MOST)
-    worth = value(on[0])
-    # 2.13: any ball but one on may be the free ball.
-    return Aim(on, worth, said if free and said in report.start and said not in on else "")
+    return Aim(on, value(on[0]), named)
+
+
+def nominable(phase: str, free: bool, layout: Layout) -> tuple[str, ...]:
+    """The balls that may be nominated: after a red any colour (3.3 g), as the free ball any but one on (2.13)."""
+    if phase == COLOR:
+        return balls_on(COLOR, layout)
+    on = balls_on(phase, layout)
+    return tuple(ball for ball in (*balls_on(RED, layout), *balls_on(COLOR, layout)) if free and ball not in on)
 
 
 def fouls(table: Table, layout: Layout, report: Report, aim: Aim) -> tuple[Foul, ...]:
     """Every foul of a stroke, the dearest first; `layout` is as the balls came to rest (3.10)."""
     found = [*_hit(report, aim), *_lost(report, aim), *_pushed(report, aim)]
-    if not found and aim.free and not scored(report, aim):
+    # 3.8 (c): to play away from the free ball, touching it, has no penalty, wherever the cue ball ends.
+    if not found and aim.free and aim.free not in report.touching and not scored(report, aim):
         found += _hidden(table, layout, report, aim)
     if not aim.on:
         # (d): a foul after a red, before a colour was nominated.
@@ -106,21 +114,20 @@ def scored(report: Report, aim: Aim) -> int:
 def _hit(report: Report, aim: Aim) -> Iterator[Foul]:
     """What was hit first.
 
-    3.8 (c): to play away from a touching ball that is on is to have hit it. 3.12 (b): a free ball must be hit first,
-    or with a ball on. 3.10 (c): two balls at once must be reds, or the free ball and a ball on.
+    3.8 (c): to play away from a touching ball that is on, or the free ball, is to have hit it. 3.12 (b): a free ball
+    must be hit first, or with a ball on. 3.10 (c): of two balls at once both must be on.
     """
-    if not aim.free and set(report.touching) & set(aim.on):
+    first = set(report.first)
+    if set(report.touching) & set(aim.first):
         return
-    if not report.first:
+    if not first:
         yield Foul(Note("foul.no-hit"), aim.worth)
-        return
-    wrong = [ball for ball in report.first if ball not in (*aim.on, aim.free)]
-    if len(report.first) > 1:
-        free_and_on = aim.free in report.first and not wrong and len(set(report.first) & set(aim.on)) == 1
-        if not free_and_on and any(ball in COLORS for ball in report.first):
-            yield Foul(Note("foul.two-at-once"), max(aim.worth, *map(value, report.first)))
-    elif not set(report.first) & set(aim.first):
-        yield Foul(Note("foul.wrong-ball", ball=report.first[0]), max(aim.worth, value(report.first[0])))
+    elif not first & set(aim.first):
+        dearest = max(report.first, key=value)
+        yield Foul(Note("foul.wrong-ball", ball=dearest), max(aim.worth, value(dearest)))
+    elif not first <= {*aim.on, aim.free} or (aim.free and len(first & set(aim.on)) > 1):
+        # A free ball is worth what the ball on is.
+        yield Foul(Note("foul.two-at-once"), max(aim.worth, *map(value, first - {aim.free})))
 
 
 def _lost(report: Report, aim: Aim) -> Iterator[Foul]:
