@@ -79,7 +79,7 @@ def test_undo_and_redo_return_equal_moments(game: str) -> None:
         assert match.now is history[len(match.history) - 1]
     assert match.history == history
     match.undo()
-    match.play(Concede(0)) if not match.state.over else match.play(NextFrame())
+    match.play(Concede(match.ask.who)) if not match.state.over else match.play(NextFrame())
     assert not match.redo()
 
 
