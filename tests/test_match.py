@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pool2d import Ball, InputError, Layout, Shot, Table
+from pool2d import Ball, InputError, Layout, Shot, Table, load_table
 from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke, as_dict, from_dict
 from pool2d.game.match import Match, Moment
 from pool2d.game.report import Call
@@ -242,3 +242,55 @@ def test_a_setup_comes_back_from_json() -> None:
 def test_players_are_named(seed: int) -> None:
     match = new_match("nine-ball", seed)
     assert match.names == ("Player 1", "Player 2")
+
+
+def rolled(*speeds: float) -> Match:
+    """Practice on a 9-foot table in which the cue ball was rolled along the table, again and again."""
+    match = Match(load_table("pool-9ft"), Setup("practice"))
+    match.play(Arrange(Layout([Ball("cue", 0.3, 0.6), Ball("1", 0.3, 0.8)])))
+    for speed in speeds:
+        match.play(Stroke(Shot(0.0, speed)))
+    return match
+
+
+def test_what_was_undone_is_gone_once_the_table_has_changed() -> None:
+    small = load_table("pool-7ft")
+    match = rolled(0.8)
+    assert match.layout["cue"].x > small.knobs.table.length
+    match.undo()
+    match.change_table(small)
+    assert not match.redo()
+    assert small.settle(match.layout) == match.layout
+    # What is played on the new table is undone and done again as ever.
+    match.play(Stroke(Shot(0.0, 0.5)))
+    assert match.undo() and match.redo()
+
+
+def test_the_way_back_leads_only_to_where_the_balls_fit_on_the_table_as_it_is() -> None:
+    large, small = load_table("pool-9ft"), load_table("pool-7ft")
+    match = rolled(0.8)
+    far = match.now
+    match.play(Arrange(Layout([Ball("cue", 0.3, 0.6)])))
+    match.change_table(small)
+    before = match.now
+    assert not match.undo()
+    assert match.now is before and not match.redo()
+    # Nothing is lost: on the larger table there is room again.
+    match.change_table(large)
+    assert match.undo() and match.now is far
+    while match.undo():
+        pass
+    assert len(match.history) == 1
+
+
+def test_balls_that_grow_a_hair_too_large_are_set_apart_on_the_way_back() -> None:
+    match = rolled()
+    radius = match.table.knobs.ball.radius
+    match.play(Arrange(Layout([Ball("cue", 0.3, 0.6), Ball("1", 0.3, 0.6 + 2.0 * radius)])))
+    match.play(Stroke(Shot(0.0, 1.0)))
+    grown = match.table.with_knobs({"ball.radius": radius + 4e-7})
+    match.change_table(grown)
+    assert match.undo()
+    a, b = match.layout["cue"], match.layout["1"]
+    assert b.y - a.y >= 2.0 * (radius + 4e-7) - 1e-9
+    assert match.redo() and match.undo()

@@ -303,6 +303,22 @@ def test_a_full_disk_stops_the_record_not_the_match(monkeypatch: pytest.MonkeyPa
     assert recorder.path.read_bytes() == whole
 
 
+def test_a_match_begun_on_a_full_disk_is_refused_and_leaves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    write = os.write
+
+    def full(file: int, data: bytes) -> int:
+        write(file, bytes(data)[:10])
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "write", full)
+        with pytest.raises(InputError, match="cannot be written: No space left on device"):
+            record(new_match("practice", 3))
+    assert records() == []
+    record(new_match("practice", 3)).close()
+    assert len(records()) == 1
+
+
 def test_a_record_is_never_written_over(tmp_path: Path) -> None:
     path = tmp_path / "a.jsonl"
     path.write_text("mine")

@@ -68,6 +68,8 @@ class Match:
         ruling = self._lag.start(breaker, setup.seed) if setup.breaker == LAG else self._begin(breaker)
         self._past = [Moment(ruling, (Tally(),) * self.rules.players, breaker)]
         self._future: list[Moment] = []
+        # How many of the past moments were played before the table was changed last.
+        self._older = 0
 
     @property
     def now(self) -> Moment:
@@ -116,9 +118,17 @@ class Match:
         return moment
 
     def undo(self) -> bool:
-        """Go back to before the last action; False where there is none."""
+        """Go back to before the last action; False where there is none.
+
+        So it is where the table has changed since and the balls of then do not fit.
+        """
         if len(self._past) == 1:
             return False
+        if len(self._past) - 1 <= self._older:
+            try:
+                self._past[-2] = self._settled(self._past[-2], self.table)
+            except InputError:
+                return False
         self._future.append(self._past.pop())
         return True
 
@@ -132,12 +142,21 @@ class Match:
     def change_table(self, table: Table) -> None:
         """Go on with other parameters; raises InputError, changing nothing, where the balls do not fit.
 
-        A record of the match would no longer replay: it is for practice.
+        What was undone cannot be done again: it came of the table as it was. The way back is kept, as far as the
+        balls of then fit. A record of the match would no longer replay: it is for practice.
         """
-        layout = table.settle(self.layout)
-        rules = game(self.setup.game, table, self.setup.options)
-        self.table, self.rules = table, rules
-        self._past[-1] = replace(self.now, ruling=self.now.ruling._replace(layout=layout))
+        now = self._settled(self.now, table)
+        self.rules = game(self.setup.game, table, self.setup.options)
+        self.table = table
+        self._past[-1] = now
+        self._older = len(self._past) - 1
+        self._future.clear()
+
+    @staticmethod
+    def _settled(moment: Moment, table: Table) -> Moment:
+        """The moment with its balls as they stand on a table; raises InputError where they do not fit."""
+        layout = table.settle(moment.layout)
+        return moment if layout is moment.layout else replace(moment, ruling=moment.ruling._replace(layout=layout))
 
     def _after(self, action: Action) -> Moment:
         now = self.now

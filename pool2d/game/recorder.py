@@ -92,7 +92,7 @@ class Recorder:
 def record(match: Match, path: Path | None = None) -> Recorder:
     """Start the record of a match that has just begun, in the player's folder or at `path`.
 
-    Raises InputError where it cannot be written, or is there already.
+    Raises InputError where it cannot be written, or is there already; nothing is left behind then.
     """
     file, given = _created(match, path)
     recorder = Recorder(match, given, file, 0, "")
@@ -102,6 +102,11 @@ def record(match: Match, path: Path | None = None) -> Recorder:
         recorder.close()
         raise
     recorder._write(header(match))
+    if recorder.fault is not None:
+        # Without its first line a file is no record.
+        with contextlib.suppress(OSError):
+            given.unlink()
+        raise recorder.fault
     _flush_folder(given.parent)
     return recorder
 

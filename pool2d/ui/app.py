@@ -155,7 +155,8 @@ class App:
 
     def close(self) -> None:
         self._save()
-        self.play.session.leave()
+        # A match goes on under a drill that was opened over it; a drill has no record.
+        self.lobby.play.session.leave()
         pygame.display.quit()
         self.sounds.close()
 

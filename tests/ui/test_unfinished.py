@@ -10,12 +10,14 @@ import pytest
 from pool2d import Shot, load_table
 from pool2d.game.actions import NextFrame
 from pool2d.game.record import load, matches_folder
-from pool2d.game.recorder import records, unfinished
+from pool2d.game.recorder import records, resume, unfinished
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
 from pool2d.ui.app import App
+from pool2d.ui.drill_scene import DrillPlay
 from pool2d.ui.ended import FrameOver
 from pool2d.ui.menu import Menu
+from pool2d.ui.new_match import NewMatch
 from pool2d.ui.play import Play
 from pool2d.ui.replays import RecordShelf
 
@@ -149,6 +151,38 @@ def test_closing_the_window_lets_go_of_the_record() -> None:
     choose(guest, "Continue")
     assert guest.play.session.strokes == 1
     again.close()
+
+
+@pytest.mark.parametrize("begun", [True, False])
+def test_closing_the_window_in_a_drill_lets_go_of_the_record_of_the_match_below(begun: bool) -> None:
+    app = App(load_table("pool-9ft"), seed=3)
+    hand = Hand(app)
+    session = playing(hand)
+    if begun:
+        session.play(Shot(speed=8.0))
+    hand.key(pygame.K_F2)
+    hand.key(pygame.K_RETURN)
+    assert isinstance(app.scene, DrillPlay)
+    hand.post(pygame.QUIT)
+    app.close()
+    assert len(records()) == begun
+    for path in records():
+        # Nobody holds it any more.
+        resume(path).close()
+
+
+def test_a_match_begun_on_a_full_disk_says_so_at_once(guest: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*args: object) -> int:
+        raise OSError(28, "No space left on device")
+
+    choose(guest, "New match")
+    dialog = guest.app.scene
+    assert isinstance(dialog, NewMatch)
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "write", full)
+        dialog.start()
+    assert guest.app.scene is dialog and "No space left on device" in dialog.wrong
+    assert records() == []
 
 
 def test_a_record_that_cannot_be_written_is_told_once(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
