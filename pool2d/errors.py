@@ -6,6 +6,14 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 from typing import Any
 
+from .printable import printable
+
+# No name is longer, and of more names than this one is told that there are many.
+_LONG_WORD = 60
+_MANY = 500
+# A path may have thousands of characters.
+_LONGEST = 8000
+
 
 class InputError(ValueError):
     """Bad input, told in one line: where it stands, which key, what value, what is allowed.
@@ -22,7 +30,7 @@ class InputError(ValueError):
         self.line = line
         where = f"{source}, line {line}" if line else source
         said = f"{where}: {_clipped(key, 100)} = {_clipped(_repr(value), 60)}: {allowed}"
-        super().__init__(_line(said if key else f"{where}: {allowed}"))
+        super().__init__(printable(said if key else f"{where}: {allowed}", _LONGEST))
 
     def at(self, source: str) -> InputError:
         """The same complaint, said of another source."""
@@ -45,15 +53,11 @@ class BudgetError(RuntimeError):
 def suggest(word: str, known: Iterable[str]) -> str:
     """What is allowed instead of an unknown `word`: the nearest known one, or all of them."""
     options = sorted(known)
-    near = get_close_matches(word, options, n=1, cutoff=0.6)
+    # Comparing takes time that grows with all of them, and nobody reads so many.
+    near = get_close_matches(word[:_LONG_WORD], options[:_MANY], n=1, cutoff=0.6)
     if near:
-        return f"unknown; did you mean {near[0]}?"
-    return "unknown; known are " + ", ".join(options)
-
-
-def _line(text: str) -> str:
-    """Text that stays on its line and can be written anywhere, whatever a file holds."""
-    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
+        return f"unknown; did you mean {_clipped(near[0], _LONG_WORD)}?"
+    return "unknown; known are " + _clipped(", ".join(options[:_MANY]), 1000)
 
 
 def _repr(value: object) -> str:
@@ -61,6 +65,9 @@ def _repr(value: object) -> str:
         return repr(value)
     except RecursionError:
         return "(nested too deep)"
+    except ValueError:
+        # Python writes no whole number of more digits.
+        return "(a number of more than 4300 digits)"
 
 
 def _clipped(text: str, most: int) -> str:

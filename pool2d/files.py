@@ -1,4 +1,4 @@
-"""Reading TOML files, and writing them so that a kill at any moment leaves the old file or the new one."""
+"""Writing files so that a kill at any moment leaves the old file or the new one; `reader` reads them."""
 
 from __future__ import annotations
 
@@ -6,65 +6,12 @@ import contextlib
 import json
 import os
 import re
-import stat
-import tomllib
 from collections.abc import Mapping
 from datetime import date, time
 from pathlib import Path
 from typing import Any
 
 from .errors import InputError
-
-# Far more than any preset or scenario takes; reading stops there.
-_LARGEST = 1 << 20
-# A dotted key with so many parts is no preset's, and tomllib takes time that grows with their square.
-_LONG_KEY = re.compile(rb"""(?<![\w"'.-])(?:[\w"'-]++\s*+\.\s*+){200}""")
-
-
-def read_bytes(path: Path, most: int = _LARGEST) -> bytes:
-    """A regular file's content; raises InputError where it cannot be read or has more than `most` bytes."""
-    try:
-        # Opening a pipe would wait for its other end.
-        if not stat.S_ISREG(os.stat(path).st_mode) and not path.is_dir():
-            raise InputError(str(path), "", None, "cannot be read: not a regular file")
-        with path.open("rb") as file:
-            content = file.read(most + 1)
-    except OSError as error:
-        raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
-    except InputError:
-        raise
-    except ValueError as error:
-        raise InputError(str(path), "", None, f"cannot be read: {error}") from error
-    if len(content) > most:
-        raise InputError(str(path), "", None, f"too large; allowed are {most >> 20} MiB")
-    return content
-
-
-def read_toml(path: Path) -> dict[str, Any]:
-    """A TOML file's content; raises InputError where it cannot be read or is not TOML."""
-    content = read_bytes(path)
-    if _LONG_KEY.search(content):
-        raise InputError(str(path), "", None, "not a TOML file: a key has too many parts")
-    try:
-        return tomllib.loads(content.decode("utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise InputError(str(path), "", None, f"not a TOML file: {error}") from error
-
-
-def line_of(path: Path, key: str) -> int:
-    """The line of a TOML file that sets a dotted key, counted from 1; 0 where none plainly does."""
-    section, _, name = re.split(r"[\[,]", key)[0].rpartition(".")
-    here = ""
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError):
-        return 0
-    for number, line in enumerate(lines, 1):
-        if header := re.match(r"\s*\[+\s*([^\[\]]+?)\s*\]", line):
-            here = header[1]
-        elif (word := re.match(r"""\s*["']?([\w.-]+)["']?\s*=""", line)) and word[1] == name and here == section:
-            return number
-    return 0
 
 
 def write_text(path: Path, text: str, new: bool = False) -> None:

@@ -14,10 +14,11 @@ from typing import Any
 
 from . import catalogue
 from .errors import InputError, suggest
-from .files import line_of, read_toml, to_toml, write_text
+from .files import to_toml, write_text
 from .furnish import SECTIONS, furnish
 from .knobs import apply, walk
 from .racks import Furniture
+from .reader import line_of, read_toml
 from .table import Knobs, Table
 
 _GROUPS = tuple(dict.fromkeys(name.partition(".")[0] for name, _, _ in walk(Knobs()) if "." in name))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from .errors import InputError, suggest
-from .files import read_toml
 from .physics.rollout import Rollout
 from .physics.simulate import simulate
 from .physics.values import MOTION_FIELDS, Ball, Layout, Shot
@@ -18,6 +16,7 @@ from .placing import RANGES
 from .position import Position
 from .position import read as read_position
 from .preset import load_table
+from .reader import read_json, read_toml
 from .table import Table
 
 _KEYS = ("table", "conditions", "set", "position", "balls", "shot")
@@ -75,12 +74,7 @@ def _read(path: Path) -> dict[str, Any]:
         return read_toml(path)
     if path.suffix != ".json":
         raise InputError(str(path), "", None, "a scenario's name ends in .toml or .json")
-    try:
-        data = json.loads(path.read_bytes().decode("utf-8"))
-    except OSError as error:
-        raise InputError(str(path), "", None, f"cannot be read: {error.strerror}") from error
-    except (ValueError, RecursionError) as error:
-        raise InputError(str(path), "", None, f"not a JSON file: {error}") from error
+    data = read_json(path)
     if not isinstance(data, dict):
         raise InputError(str(path), "", None, "allowed is a JSON object with " + ", ".join(_KEYS))
     return data

@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from .errors import InputError
-from .files import line_of, read_toml, to_toml, write_text
+from .files import to_toml, write_text
 from .folders import config_folder
 from .knobs import apply, choice, flag, knob, walk, words
+from .reader import check_sound, line_of, read_toml
 
 FILE = "settings.toml"
 GUIDES = ("off", "line", "ghost ball", "whole shot")
@@ -139,7 +140,7 @@ class Store:
 
     def _read(self, path: Path) -> None:
         try:
-            self._take(read_toml(path), path)
+            self._take(read_toml(path, sound=False), path)
         except InputError as error:
             self.complaints.append(error)
         if self.complaints:
@@ -149,7 +150,7 @@ class Store:
         known = {name.partition(".")[0] for name, _, _ in walk(self.values)}
         for group, content in data.items():
             if group not in known and group != "keys":
-                self._rest[group] = content
+                self._keep(self._rest, group, content, path)
             elif not isinstance(content, dict):
                 self.complaints.append(_wrong(path, group, content, "allowed is a section"))
             elif group == "keys":
@@ -161,16 +162,25 @@ class Store:
     def _take_one(self, group: str, key: str, value: object, path: Path) -> None:
         name = f"{group}.{key}"
         if name not in {known for known, _, _ in walk(self.values)}:
-            self._rest.setdefault(group, {})[key] = value
+            self._keep(self._rest.setdefault(group, {}), key, value, path)
             return
         try:
             self.values = apply(self.values, {name: value}, str(path))
         except InputError as error:
             self.complaints.append(_wrong(path, name, value, error.allowed))
 
+    def _keep(self, rest: dict[str, Any], key: str, value: object, path: Path) -> None:
+        """Keep what is not understood, perhaps of a later version, where it is sound."""
+        try:
+            check_sound({key: value}, str(path))
+        except InputError as error:
+            self.complaints.append(error)
+        else:
+            rest[key] = value
+
     def _take_keys(self, content: dict[str, Any], path: Path) -> None:
         for action, names in content.items():
-            if isinstance(names, list) and all(isinstance(name, str) for name in names):
+            if isinstance(names, list) and all(isinstance(name, str) and name.isprintable() for name in names):
                 self.keys[action] = tuple(names)
             else:
                 self.complaints.append(_wrong(path, f"keys.{action}", names, "allowed is a list of keys' names"))

@@ -13,11 +13,12 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 # The layer of a module, or of all modules of a package.
 LAYERS = {
-    "pool2d._version": 0, "pool2d.errors": 0, "pool2d.knobs": 0,
+    "pool2d._version": 0, "pool2d.printable": 0, "pool2d.errors": 0, "pool2d.knobs": 0,
     "pool2d.physics": 1,
     "pool2d.outline": 2, "pool2d.geometry": 2, "pool2d.racks": 2, "pool2d.placing": 2, "pool2d.table": 2,
-    "pool2d.assets": 2, "pool2d.files": 2, "pool2d.catalogue": 2, "pool2d.furnish": 2, "pool2d.preset": 2,
-    "pool2d.folders": 2, "pool2d.settings": 2, "pool2d.position": 2, "pool2d.scenario": 2, "pool2d": 2,
+    "pool2d.assets": 2, "pool2d.reader": 2, "pool2d.files": 2, "pool2d.catalogue": 2, "pool2d.furnish": 2,
+    "pool2d.preset": 2, "pool2d.folders": 2, "pool2d.settings": 2, "pool2d.position": 2,
+    "pool2d.scenario": 2, "pool2d": 2,
     "pool2d.game": 3,
     "pool2d.ui": 4,
     "pool2d.tables": 5, "pool2d.replay": 5, "pool2d.cli": 5, "pool2d.__main__": 6, "main": 6,

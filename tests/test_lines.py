@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pool2d import InputError, load_table
-from pool2d.files import line_of
+from pool2d.reader import line_of
 
 TEXT = """\
 base = "pool-9ft"

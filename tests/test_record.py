@@ -357,3 +357,39 @@ def test_a_record_of_players_without_names_is_told(tmp_path: Path, names: list[o
     data = new_match("nine-ball", 1).setup.as_dict() | {"names": names}
     with pytest.raises(InputError, match="names"):
         setup_of(data, "record")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"do": "stroke", "shot": "cue:0,5", "call": {"nosuch": None}}, "call.nosuch = None: allowed are ball, pocket"),
+        ({"do": "stroke", "shot": "cue:0,5", "call": {"ball": None}}, "call.ball = None: allowed are ball, pocket"),
+        ({"do": "stroke", "shot": "cue:0,5", "call": None}, "call = None: allowed is a dict"),
+        ({"do": "\ud800"}, "do = '\\ud800': allowed is a text of printable characters"),
+        ({"do": "concede", "player": 10**30}, "player = 1"),
+        ({"do": "stroke", "shot": "cue:0,5", "call": {"ball": "\x00"}}, "call.ball = '\\x00': allowed is a text"),
+    ],
+)
+def test_a_line_with_strange_values_is_told_in_one_line(
+    tmp_path: Path, good: bytes, capsys: pytest.CaptureFixture[str], change: dict[str, Any], words: str
+) -> None:
+    path = tmp_path / "a.jsonl"
+    path.write_bytes(sealed(bodies(good)[0], {"n": 1, **change, "state": "0"}))
+    for more in ("--list", "--verify"):
+        status = main(["replay", str(path), more])
+        out, err = capsys.readouterr()
+        assert status in (1, 2)
+        assert words in out + err
+        assert (out + err)[:-1].isprintable()
+
+
+@pytest.mark.parametrize("name", ["a\x00", "\u202eeve", "x" * 50_000, "\ud800", "  ", "a\nb"])
+def test_a_record_whose_players_cannot_be_shown_is_damaged(tmp_path: Path, good: bytes, name: str) -> None:
+    head = bodies(good)[0]
+    head["setup"]["names"][0] = name
+    path = matches_folder() / "a.jsonl"
+    path.parent.mkdir(parents=True)
+    path.write_bytes(sealed(head))
+    with pytest.raises(InputError, match="allowed is a text of "):
+        load(path)
+    assert unfinished() == []

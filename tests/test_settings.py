@@ -111,6 +111,19 @@ def test_a_damaged_file_is_kept_and_does_not_stop_the_game(path: Path, content: 
     assert path.with_name("settings.toml.bad2").read_bytes() == content
 
 
+def test_a_text_that_cannot_be_shown_costs_that_text_alone(path: Path) -> None:
+    path.parent.mkdir()
+    path.write_text(
+        'later.x = "a\\u202e"\n[sound]\nvolume = 0.5\nwide = 0xfffffffffffffffffff\n[keys]\nguide = ["\\u0000"]\n'
+        '[players]\nfirst = "\\u200b"\n'
+    )
+    store = Store(path)
+    assert (store.values.sound.volume, store.values.players.first, store.keys) == (0.5, "", {})
+    assert [error.key for error in store.complaints] == ["later.x", "wide", "keys.guide", "players.first"]
+    store.save()
+    assert tomllib.loads(path.read_text()) == {"sound": {"volume": 0.5}}
+
+
 def test_a_folder_that_cannot_be_written_is_told(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     store = Store(tmp_path / "file" / "settings.toml")
@@ -164,3 +177,20 @@ def test_pictures_go_where_the_users_pictures_are(monkeypatch: pytest.MonkeyPatc
     (tmp_path / "config").mkdir()
     (tmp_path / "config" / "user-dirs.dirs").write_text('# xdg\nXDG_PICTURES_DIR="$HOME/Bilder"\n')
     assert pictures_folder() == tmp_path / "Bilder" / "pool2d"
+
+
+@pytest.mark.parametrize("platform", ["darwin", "win32"])
+def test_off_linux_pictures_go_below_the_home(platform: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Where Linux keeps the name of the folder is not asked: it is `Pictures`, whatever stands there."""
+    monkeypatch.delenv("POOL2D_PICTURES", raising=False)
+    monkeypatch.setattr(sys, "platform", platform)
+    for variable in ("HOME", "USERPROFILE"):
+        monkeypatch.setenv(variable, str(tmp_path))
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    (tmp_path / "config").mkdir()
+    (tmp_path / "Bilder").mkdir()
+    (tmp_path / "config" / "user-dirs.dirs").write_text('XDG_PICTURES_DIR="$HOME/Bilder"\n')
+    monkeypatch.setenv("POOL2D_DATA", str(tmp_path / "data"))
+    assert pictures_folder() == tmp_path / "data" / "pictures"
+    (tmp_path / "Pictures").mkdir()
+    assert pictures_folder() == tmp_path / "Pictures" / "pool2d"

@@ -70,8 +70,9 @@ def from_dict(data: Mapping[str, Any], source: str) -> Action:
     do = data.get("do")
     if do == "stroke":
         call = _of(data, "call", dict, source, {})
+        known = Call().as_dict()
         for name, value in call.items():
-            if type(value) is not type(Call().as_dict().get(name)):
+            if name not in known or type(value) is not type(known[name]):
                 raise InputError(source, f"call.{name}", value, "allowed are ball, pocket, safety and push")
         return Stroke(read_shot(_of(data, "shot", str, source), source), Call(**call))
     if do == "choose":

@@ -37,10 +37,11 @@ from typing import Any
 
 from .. import catalogue
 from ..errors import InputError, suggest
-from ..files import read_bytes, read_toml, write_text
+from ..files import write_text
 from ..folders import data_folder
 from ..physics.values import Layout
 from ..position import read, read_shot
+from ..reader import read_json, read_toml
 from ..scenario import scenario_of
 from ..table import Table
 from .drills import ANY, Drill, Rest, Step, Wording
@@ -229,7 +230,7 @@ def _results_path() -> Path:
 
 def _results() -> dict[str, Any]:
     try:
-        data = json.loads(read_bytes(_results_path()))
-    except (InputError, ValueError, RecursionError):
+        data = read_json(_results_path())
+    except InputError:
         return {}
     return data if isinstance(data, dict) else {}

@@ -19,10 +19,10 @@ from typing import Any, NamedTuple
 
 from .._version import __version__
 from ..errors import BudgetError, InputError
-from ..files import read_bytes
 from ..folders import data_folder
 from ..physics.rollout import Rollout
 from ..preset import load_table
+from ..reader import parse_json, read_bytes
 from ..table import Table
 from .actions import as_dict, from_dict
 from .match import Match, Moment
@@ -145,9 +145,10 @@ def _unsealed(lines: list[bytes], source: str) -> tuple[list[dict[str, Any]], st
 def _parsed(line: bytes, source: str, number: int) -> dict[str, Any]:
     foreign = "not a record of pool2d" if number == 1 else "not a line of a record"
     try:
-        body = json.loads(line)
-    except (ValueError, RecursionError):
-        body = None
+        body = parse_json(line, source, number)
+    except InputError as error:
+        # A key is named where it is JSON, but with a value that no record holds.
+        raise error if error.key else InputError(source, "", None, foreign, number) from None
     if not isinstance(body, dict):
         raise InputError(source, "", None, foreign, number)
     return body

@@ -58,8 +58,7 @@ def setup_of(data: Mapping[str, Any], source: str) -> Setup:
         if not isinstance(data.get(key, kind()), kind):
             raise InputError(source, key, data[key], f"allowed is a {kind.__name__}")
     for name in data.get("names", ()):
-        if not isinstance(name, str):
-            raise InputError(source, "names", name, "allowed is a text")
+        _check_name(name, source)
     return Setup(**{**data, "names": tuple(data.get("names", ()))})
 
 
@@ -81,6 +80,10 @@ def checked(setup: Setup, rules: Rules[Any], table: Table) -> Setup:
     if len(names) != players:
         raise InputError("match", "names", names, f"allowed are {players} names")
     for name in names:
-        if not isinstance(name, str) or not name.strip() or not name.isprintable() or len(name) > _NAME:
-            raise InputError("match", "names", name, f"allowed is a text of up to {_NAME} printable characters")
+        _check_name(name, "match")
     return replace(setup, names=names)
+
+
+def _check_name(name: object, source: str) -> None:
+    if not isinstance(name, str) or not name.strip() or not name.isprintable() or len(name) > _NAME:
+        raise InputError(source, "names", name, f"allowed is a text of up to {_NAME} printable characters")

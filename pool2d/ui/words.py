@@ -17,7 +17,7 @@ from typing import Any
 
 from ..assets import asset, assets
 from ..errors import InputError
-from ..files import read_toml
+from ..reader import read_toml
 from ..settings import SPEEDS
 
 AUTO, ENGLISH = "auto", "en"
