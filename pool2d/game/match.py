@@ -186,11 +186,12 @@ class Match:
         now, ask = self.now, self.ask
         if ask.kind != AIM:
             raise InputError("match", "action", "a stroke", f"allowed is what is asked for: {ask.kind}")
-        if stroke.shot.ball != ask.ball:
-            raise InputError("match", "shot.ball", stroke.shot.ball, f"allowed is {ask.ball}")
+        if stroke.shot.ball not in (ask.cues or (ask.ball,)):
+            allowed = f"allowed is {', '.join(ask.cues) or ask.ball}"
+            raise InputError("match", "shot.ball", stroke.shot.ball, allowed)
         _check_call(stroke.call, ask, self.table)
         rollout = simulate(self.table, now.layout, stroke.shot)
-        report = read(self.table, rollout, stroke.call, ask.ball)
+        report = read(self.table, rollout, stroke.call, stroke.shot.ball)
         ruling = self._judge.judge(now.state, rollout.layout(), report)
         if lagged(now.state):
             return Moment(ruling, now.tallies, now.breaker, now.frame, ask.who, stroke, rollout)

@@ -120,13 +120,13 @@ class Report:
         return tuple(dict.fromkeys(c.ball for c in self.after if c.kind != BALL))
 
     def called(self) -> str:
-        """The ball that fell as it was called, or, where nothing was, as was obvious; "" for none."""
+        """The ball that fell as it was called; where no pocket was, as was obvious; "" for none."""
         call = self.call
         if call.safety or call.push:
             return ""
-        if call.ball or call.pocket:
+        if call.pocket:
             return call.ball if Pot(call.ball, call.pocket) in self.pots else ""
-        return next((pot.ball for pot in self.pots if self.obvious(pot)), "")
+        return next((pot.ball for pot in self.pots if self.obvious(pot) and call.ball in ("", pot.ball)), "")
 
     def obvious(self, pot: Pot) -> bool:
         """Whether a ball was met first and fell straight: no other ball, and no rail but the pocket's jaws."""

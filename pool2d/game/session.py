@@ -28,6 +28,8 @@ class Session:
     def __init__(self, match: Match, recorder: Recorder | None = None) -> None:
         self.match = match
         self.recorder = recorder
+        # The ball that was taken to be struck, and for which moment.
+        self._taken: tuple[Moment | None, str] = None, ""
 
     @property
     def table(self) -> Table:
@@ -54,7 +56,16 @@ class Session:
     @property
     def cue(self) -> Ball:
         """The ball to be struck, also while it is in hand."""
-        return self.layout[self.ask.ball or self.table.furniture.cue]
+        moment, taken = self._taken
+        ball = taken if moment is self.match.now else self.ask.ball
+        return self.layout[ball or self.table.furniture.cue]
+
+    def take_cue(self, ball: str) -> None:
+        """Have this ball struck next; raises InputError where the rules do not leave the choice."""
+        if ball not in self.ask.cues:
+            allowed = ", ".join(self.ask.cues) or self.ask.ball
+            raise InputError("match", "ball to be struck", ball, f"allowed is {allowed}")
+        self._taken = self.match.now, ball
 
     @property
     def in_hand(self) -> bool:

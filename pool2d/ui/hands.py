@@ -15,6 +15,8 @@ Pos = tuple[int, int]
 
 # The aim, once set by wheel or keys, stays until the pointer has moved this far, in pixels.
 _HOLD = 8.0
+# A press that is let go within so many pixels is a click: it strikes nothing, and means what it is on.
+_CLICK = 4.0
 # Nearer to the cue ball than this, in its radii, the aim is calmed.
 _CALM = 6.0
 
@@ -22,9 +24,9 @@ _CALM = 6.0
 class Hands:
     """The aim, and what is being done to it.
 
-    `pull` is where a pull began and `pulled` how far back it has come, as a part of the window's height; `drag`
-    names the diagram being dragged; `hold` is where the pointer was when the aim was set by wheel or keys.
-    `keys` is what keys do, by the names of their actions.
+    `pull` is where a pull began and `pulled` how far back it has come, as a part of the window's height; `clicked`
+    tells whether the pointer has stayed where it began; `drag` names the diagram being dragged; `hold` is where the
+    pointer was when the aim was set by wheel or keys. `keys` is what keys do, by the names of their actions.
     """
 
     def __init__(self) -> None:
@@ -32,6 +34,7 @@ class Hands:
         self.pointer: Pos | None = None
         self.pull: Pos | None = None
         self.pulled = 0.0
+        self.clicked = False
         self.drag = ""
         self.hold: Pos | None = None
         self._pointed: tuple[float, float] | None = None
@@ -98,7 +101,7 @@ class Hands:
 
     def begin_pull(self, pos: Pos) -> None:
         """Take hold of the cue: the aim is frozen."""
-        self.pull, self.pulled = pos, 0.0
+        self.pull, self.pulled, self.clicked = pos, 0.0, True
 
     def move(self, pos: Pos, screen: Screen) -> bool:
         """Move what is held; False where nothing is."""
@@ -111,6 +114,7 @@ class Hands:
             # Back along the cue; on the screen y points down.
             back = (self.pull[0] - pos[0]) * math.cos(angle) - (self.pull[1] - pos[1]) * math.sin(angle)
             self.pulled = back / screen.measure
+            self.clicked = self.clicked and math.dist(self.pull, pos) <= _CLICK
         return self.busy
 
     def let_go(self) -> float:

@@ -33,6 +33,7 @@ DEFAULTS: dict[str, tuple[int, ...]] = {
     "undo": (pygame.K_u, CTRL + pygame.K_z),
     "redo": (CTRL + pygame.K_y,),
     "call": (pygame.K_y,),
+    "call_ball": (pygame.K_F9,),
     "rack": (pygame.K_n,),
     "same_shot": (pygame.K_F5, CTRL + pygame.K_r),
     "next_ball": (pygame.K_x,),
@@ -71,6 +72,7 @@ TOGETHER = (
     ("harder", "softer"),
     ("spin_up", "spin_left", "spin_down", "spin_right"),
     ("lower", "raise"),
+    ("call", "call_ball"),
     ("next_ball", "add_ball", "remove_ball"),
     ("mirror", "mirror_ends"),
     ("copy", "paste"),
@@ -90,7 +92,22 @@ _MOVING = (
     pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_PAGEUP, pygame.K_PAGEDOWN, pygame.K_BACKSPACE,
     pygame.K_DELETE,
 )  # fmt: skip
-HANDS = ("move", "pull", "ease", "wheel", "zoom", "pan", "line", "shots", "ball", "cue", "place", "carry", "put")
+HANDS = (
+    "move",
+    "pull",
+    "ease",
+    "wheel",
+    "mean",
+    "zoom",
+    "pan",
+    "line",
+    "shots",
+    "ball",
+    "cue",
+    "place",
+    "carry",
+    "put",
+)
 
 # What goes back and what only changes other keys cannot be bound; nor can going back be bound to another key.
 FIXED = ("cancel",)

@@ -142,13 +142,14 @@ class Play(Sitting):
 
     def _release(self, pos: tuple[int, int]) -> None:
         self._move(pos)
-        clicked = self.hands.pull is not None
+        clicked = self.hands.pull is not None and self.hands.clicked
         speed = self.hands.let_go()
         if speed > 0.0:
             self._strike(speed, drawn=True)
         elif clicked:
-            # What is a pull from a pocket with a drag is a call without.
-            self.referee.point_out(*self.stage.view.to_table(*pos), self.session)
+            # What is a pull with a drag means the ball or the pocket without.
+            self.referee.calls.point_out(*self.stage.view.to_table(*pos), self.session)
+            self.hands.hold = pos
 
     # What hands and keys lead to.
 

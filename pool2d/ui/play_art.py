@@ -52,7 +52,7 @@ def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> None:
         play.timeline.place(screen, panel)
         play.timeline.draw(surface, play.playback, play.session.table)
     if play.playback is None:
-        play.referee.draw(surface, play.stage.view, play.session)
+        play.referee.draw(surface)
     if play.tuning is not None:
         play.tuning.draw(surface)
 
@@ -62,10 +62,11 @@ def notes(play: Play, speed: float) -> str:
     session, shot = play.session, play.hands.aim.shot(play.session.cue.id, speed)
     if play.playback is not None or session.ask.kind != AIM or speed == 0.0:
         return ""
-    off = play.referee.warning(session, play.aimed(shot)) if play.level else ""
+    aimed = play.aimed(shot) if play.level or play.referee.calls.pocket else ""
+    off = play.referee.warning(session, aimed) if play.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
     slips = say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
-    return " ".join(filter(None, (off, slips, hop_note(play, speed))))
+    return " ".join(filter(None, (play.referee.told(session, aimed), off, slips, hop_note(play, speed))))
 
 
 def hop_note(play: Play, speed: float) -> str:
@@ -93,6 +94,9 @@ def _at_rest(surface: pygame.Surface, play: Play) -> None:
         _area(surface, play)
         stage.in_hand(surface, held, play.in_hand.may_stand(session))
     elif aiming:
+        shot = hands.aim.shot(session.cue.id, hands.aim.speed)
+        aimed = play.aimed(shot) if play.referee.calls.pocket else ""
+        play.referee.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
         cue_art.draw(surface, session.table, session.cue, hands.aim, stroke.stand(hands.drawn), stage.view)
 
 

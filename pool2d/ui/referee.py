@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import pygame
 
 from ..game.match import Moment
-from ..game.report import Call
 from ..game.rules import AIM, CHOOSE, OVER, PLACE, Ask
 from ..game.session import Session, placing
 from . import pen, rulings, telling, theme
+from .calls import Calls
 from .form import Form
 from .hud import Screen
 from .keys import KEYS, action_of
@@ -24,14 +22,10 @@ _CHOOSING = (pygame.K_TAB, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygam
 
 
 class Referee:
-    """The strip of buttons in the lower bar, which offers just what the ruling allows.
-
-    `pocket` and `ball` are what has been called for the next shot, "" where that is left to be obvious.
-    """
+    """The strip of buttons in the lower bar, which offers just what the ruling allows; `calls` is what was said."""
 
     def __init__(self) -> None:
-        self.pocket = self.ball = ""
-        self.safety = self.push = False
+        self.calls = Calls()
         self.form = Form([], margin=1)
         self._moment: Moment | None = None
         self._shown: object = None
@@ -41,11 +35,10 @@ class Referee:
         now = session.match.now
         if now is not self._moment:
             if not placing(now):
-                self.pocket = self.ball = ""
-                self.safety = self.push = False
+                self.calls.forget()
             self._moment = now
         # Said anew in another language, too.
-        shown = (session.match.now, self.pocket, self.ball, say("referee.safety"))
+        shown = (session.match.now, self.calls.pocket, self.calls.meant(session), say("referee.safety"))
         if shown != self._shown:
             self._shown = shown
             self.form.set_rows(self._rows(session))
@@ -62,40 +55,38 @@ class Referee:
         if 0 <= number < len(self.form.widgets):
             self.form.widgets[number].key(pygame.K_SPACE, 0)
             return True
-        if action_of(event.key, getattr(event, "mod", 0)) == "call" and session.ask.call:
-            self._next_call(session)
+        mod = getattr(event, "mod", 0)
+        step = -1 if mod & pygame.KMOD_SHIFT else 1
+        action = action_of(event.key, mod)
+        if action == "call" and self.calls.pockets(session):
+            self.calls.next_pocket(session, step)
+            return True
+        if action in ("call", "call_ball") and self.calls.balls(session):
+            self.calls.next_ball(session, step)
             return True
         # While there is nothing else to do the strip's keys come first.
         return session.ask.kind == CHOOSE and event.key in _CHOOSING and self.form.handle(event)
 
-    def point_out(self, x: float, y: float, session: Session) -> bool:
-        """Call the pocket at a point of the table, or take that back; whether there is one to be called."""
-        if session.ask.kind != AIM or session.ask.call != "pocket":
-            return False
-        for pocket in session.table.geometry.pockets:
-            if math.hypot(pocket.x - x, pocket.y - y) <= pocket.radius:
-                self.pocket = "" if self.pocket == pocket.name else pocket.name
-                return True
-        return False
-
-    def said(self, session: Session, aimed: str) -> Call:
-        """The call that goes with a shot aimed at a ball."""
-        ask = session.ask
-        if self.safety or self.push:
-            return Call(safety=self.safety, push=self.push)
-        if ask.call == "pocket" and self.pocket:
-            return Call(self.ball or aimed, self.pocket)
-        if ask.call == "ball":
-            return Call(self.ball or (aimed if aimed in ask.on else ""))
-        return Call()
-
     def warning(self, session: Session, aimed: str) -> str:
         """What to say of an aim that would hit a ball that is not on; empty where all is well."""
-        ask = session.ask
-        wanted = (self.ball,) if ask.call == "ball" and self.ball else ask.on
-        if session.free or self.push or ask.kind != AIM or not aimed or not wanted or aimed in wanted:
+        ask, calls = session.ask, self.calls
+        wanted = (calls.ball,) if ask.call == "ball" and calls.ball else ask.on
+        free = session.free or calls.push or ask.kind != AIM or ask.cues
+        if free or not aimed or not wanted or aimed in wanted:
             return ""
         return say("referee.not_on", ball=rulings.ball(aimed))
+
+    def told(self, session: Session, aimed: str) -> str:
+        """What has been called, in words, and what is missing of it; empty where nothing has been pointed out."""
+        ball, pocket = self.calls.meant(session), self.calls.pocket
+        if session.ask.cues or not (ball or pocket):
+            return ""
+        named = rulings.ball(ball or aimed) if ball or aimed else say("referee.aimed_at")
+        if session.ask.call == "ball":
+            return say("referee.named", ball=named)
+        if not pocket:
+            return say("referee.pocket_next", ball=named, key=KEYS.shown("call"))
+        return say("referee.called", ball=named, where=telling.place_name(pocket))
 
     def verdict(self, session: Session) -> str:
         """What the last ruling says, in sentences, and what it leaves to the player."""
@@ -105,6 +96,8 @@ class Referee:
         said = [rulings.verdict(moment, session.match)]
         if ask.kind in (AIM, PLACE) and not session.free:
             said += self._on(ask)
+        if self.calls.pockets(session):
+            said.append(say("referee.may_call"))
         if ask.kind == AIM and ask.where and not any(note.key.startswith("in-hand") for note in moment.ruling.notes):
             said.append(say(f"referee.movable.{ask.where}"))
         if ask.kind == OVER:
@@ -120,6 +113,8 @@ class Referee:
             said.append(say("referee.on_any", ball=names.pop()) if alike else say("referee.on", ball=names.pop()))
         elif ask.call == "ball":
             said.append(say("referee.name_one"))
+        if ask.cues:
+            said.append(say("referee.any_strikes"))
         if "push" in ask.may:
             said.append(say("referee.may_push"))
         return said
@@ -144,13 +139,34 @@ class Referee:
         self.form.place(box, unit)
         return 0 if session.ask.kind == CHOOSE else box.width + unit
 
-    def draw(self, surface: pygame.Surface, view: View, session: Session) -> None:
-        """Draw the strip, and a ring round a pocket that is called."""
-        for pocket in session.table.geometry.pockets:
-            if pocket.name == self.pocket:
-                pen.ring(surface, theme.ACCENT, view.to_screen(pocket.x, pocket.y), pocket.radius * view.scale, 3.0)
+    def draw(self, surface: pygame.Surface) -> None:
+        """Draw the strip."""
         if self.form.widgets:
             self.form.draw(surface)
+
+    def mark(
+        self, surface: pygame.Surface, view: View, session: Session, aimed: str, pointer: tuple[int, int] | None
+    ) -> None:  # fmt: skip
+        """Mark what is called on the table: rings round ball and pocket, and a line between them.
+
+        A faint ring is round what a click at the pointer would mean.
+        """
+        call = self.calls.said(session, aimed)
+        named = call.ball if self.calls.pocket or self.calls.ball else self.calls.meant(session)
+        marks: dict[str, theme.Color] = {mark: theme.ACCENT for mark in (named, call.pocket) if mark}
+        if pointer is not None:
+            for mark in self.calls.under(*view.to_table(*pointer), session):
+                if mark:
+                    marks.setdefault(mark, theme.ACCENT_FAINT)
+        places = {pocket.name: (pocket.x, pocket.y, pocket.radius) for pocket in session.table.geometry.pockets}
+        balls = session.layout
+        places |= {ball.id: (ball.x, ball.y, session.table.body_of(ball)[0]) for ball in balls.on_table()}
+        if call.ball and call.pocket:
+            ends = [view.to_screen(*places[mark][:2]) for mark in (call.ball, call.pocket)]
+            pen.line(surface, theme.ACCENT_FAINT, ends[0], ends[1], 1.5)
+        for mark, color in marks.items():
+            x, y, radius = places[mark]
+            pen.ring(surface, color, view.to_screen(x, y), radius * view.scale + (3.0 if mark in balls else 0.0), 3.0)
 
     # What is on the strip.
 
@@ -163,32 +179,29 @@ class Referee:
     def _row(self, session: Session) -> list[Widget]:
         ask = session.ask
         row: list[Widget] = []
-        if ask.call == "pocket" and ask.kind == AIM:
-            where = telling.place_name(self.pocket) if self.pocket else say("referee.obvious")
-            row.append(Button(say("referee.pocket", where=where), lambda: self._next_call(session)))
-        if ask.call == "ball" and ask.kind == AIM:
-            named = telling.ball_name(self.ball, ask.ball) if self.ball else say("referee.aimed_at")
-            row.append(Button(say("referee.ball", ball=named), lambda: self._next_call(session)))
+        calls = self.calls
+        if calls.pockets(session):
+            row.append(Button(say("referee.pocket", where=self._called()), lambda: calls.next_pocket(session)))
+        elif calls.balls(session):
+            row.append(Button(self._ball_named(session), lambda: calls.next_ball(session)))
         if "safety" in ask.may:
-            row.append(Toggle(say("referee.safety"), lambda: self.safety, self._declare_safety))
+            row.append(Toggle(say("referee.safety"), lambda: calls.safety, lambda said: calls.declare(safety=said)))
         if "push" in ask.may:
-            row.append(Toggle(say("referee.push"), lambda: self.push, self._declare_push))
+            row.append(Toggle(say("referee.push"), lambda: calls.push, lambda said: calls.declare(push=said)))
         return [*row, *(self._option(session, option) for option in ask.options)]
 
     def _option(self, session: Session, key: str) -> Button:
         return Button(rulings.option(key), lambda: session.choose(key), strong=session.ask.kind == CHOOSE)
 
-    def _next_call(self, session: Session) -> None:
-        """Go on to the next pocket or ball that may be called; after the last, to none."""
-        if session.ask.call == "pocket":
-            names = ["", *(pocket.name for pocket in session.table.geometry.pockets)]
-            self.pocket = names[(names.index(self.pocket) + 1) % len(names)]
-        else:
-            names = ["", *session.ask.on]
-            self.ball = names[(names.index(self.ball) + 1) % len(names)]
+    def _called(self) -> str:
+        """The ball and the pocket called, as far as they are, for a button."""
+        parts = [rulings.ball(self.calls.ball)] if self.calls.ball else []
+        parts += [telling.place_name(self.calls.pocket)] if self.calls.pocket else []
+        return ", ".join(parts) or say("referee.obvious")
 
-    def _declare_safety(self, said: bool) -> None:
-        self.safety, self.push = said, False
-
-    def _declare_push(self, said: bool) -> None:
-        self.push, self.safety = said, False
+    def _ball_named(self, session: Session) -> str:
+        """The button of the ball that is named, or is to be struck."""
+        if session.ask.cues:
+            return say("referee.strikes", ball=rulings.ball(session.match.rules.spoken(session.cue.id)))
+        ball = self.calls.ball
+        return say("referee.ball", ball=telling.ball_name(ball, session.cue.id) if ball else say("referee.aimed_at"))

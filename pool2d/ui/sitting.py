@@ -153,7 +153,7 @@ class Sitting:
             return
         shot = self.hands.aim.shot(self.session.cue.id, speed)
         try:
-            rollout = self.session.play(shot, self.referee.said(self.session, self.aimed(shot)))
+            rollout = self.session.play(shot, self.referee.calls.said(self.session, self.aimed(shot)))
         except (InputError, BudgetError) as error:
             self.tell(str(error))
             return

@@ -161,7 +161,7 @@ def test_every_action_that_a_key_is_bound_to_does_something(hand: Hand) -> None:
     window = {"fullscreen", "screenshot", "mute", "options", "drills", "help", "quit"}
     drills = {"next_drill", "solution"}
     turns = {"turn_left", "turn_right"}
-    assert set(DEFAULTS) == window | turns | drills | {"call"} | set(hand.play._keys)
+    assert set(DEFAULTS) == window | turns | drills | {"call", "call_ball"} | set(hand.play._keys)
 
 
 def test_no_two_actions_share_a_key() -> None:

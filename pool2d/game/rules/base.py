@@ -30,7 +30,8 @@ class Ask:
     """What is to happen next, and who is to do it.
 
     `kind`: "aim", shoot; "place", put the cue ball on the table first; "choose", pick one of `options`;
-    "over", the game has ended and `who` has won, -1 for nobody. `ball` is the cue ball to be struck.
+    "over", the game has ended and `who` has won, -1 for nobody. `ball` is the cue ball to be struck; where `cues` are
+    named, any of them may be struck in its place.
     `where` is the area of a cue ball in hand, "" where it is not in hand: while one aims, a cue ball in
     hand may still be moved within it. `on` are the balls that may be hit first. `call` is what must be
     said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket, which the obvious shot
@@ -46,6 +47,7 @@ class Ask:
     call: str = ""
     may: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
+    cues: tuple[str, ...] = ()
 
 
 class Choice(NamedTuple):
@@ -197,6 +199,10 @@ class Rules(Generic[S]):
         """The opponent."""
         return (player + 1) % self.players
 
+    def spoken(self, ball: str) -> str:
+        """The name by which rulings speak of a ball."""
+        return ball
+
     def racked(self, state: S) -> tuple[S, Layout]:
         """The balls of a new rack, the cue ball a little behind the head string, and the state that knows of it."""
         name = next((rack for rack in self.racks if rack in self.table.furniture.racks), "")
@@ -237,7 +243,12 @@ class Rules(Generic[S]):
         points: tuple[int, ...] = (),
     ) -> Ruling:
         """A ruling whose notes tell of the fouls, what else happened and what is next."""
-        every = (*fouls, *notes, *(Note("spotted", ball=ball) for ball, _ in spotted), self.next_note(state))
+        every = (
+            *fouls,
+            *notes,
+            *(Note("spotted", ball=self.spoken(ball)) for ball, _ in spotted),
+            self.next_note(state),
+        )
         return Ruling(state, layout, every, fouls, spotted, points or (0,) * len(state.scores))
 
     def next_note(self, state: S) -> Note:
