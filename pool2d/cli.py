@@ -10,13 +10,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import __version__, catalogue
+from . import __version__, catalogue, terminal
 from .errors import BudgetError, InputError
 from .knobs import Knob, apply
 
 # Tables and physics are read by the commands themselves: the window opens first.
 if TYPE_CHECKING:
-    from .physics.rollout import Rollout
     from .scenario import Scenario
     from .table import Table
 
@@ -34,22 +33,27 @@ def main(argv: Sequence[str] | None = None) -> int:
     # Without a command, play; `--help` and `--version` speak for the whole.
     if not words or (words[0].startswith("-") and words[0] not in ("-h", "--help", "--version")):
         words.insert(0, "play")
+    terminal.prepare()
     try:
         arguments = _parser().parse_args(words)
         status: int = arguments.run(arguments)
-        sys.stdout.flush()
+        terminal.flush()
         return status
     except InputError as error:
-        print(f"pool2d: {error}", file=sys.stderr)
+        terminal.complain(f"pool2d: {error}")
     except BudgetError as error:
-        print(f"pool2d: {error}; the scenario is {json.dumps(error.scenario)}", file=sys.stderr)
+        terminal.complain(f"pool2d: {error}; the scenario is {json.dumps(error.scenario)}")
     except BrokenPipeError:
-        # The reader has what it wanted (`| head`). Keep Python from complaining as it closes the pipe.
-        sys.stdout = None
+        # The reader has what it wanted (`| head`).
+        terminal.leave()
         return 0
     except OSError as error:
-        print(f"pool2d: standard output: cannot be written: {error.strerror}", file=sys.stderr)
-        sys.stdout = None
+        terminal.complain(f"pool2d: {error.filename or 'the system'}: {error.strerror}")
+    # What was printed before is still to be seen, unless it is the output that fails.
+    try:
+        terminal.flush()
+    except (InputError, BrokenPipeError):
+        terminal.leave()
     return 2
 
 
@@ -59,26 +63,32 @@ def _play(arguments: argparse.Namespace) -> int:
     def table() -> Table:
         from .preset import load_table
 
-        return load_table(arguments.table or _TABLE, _overrides(arguments.set), _conditions(arguments))
+        name = _TABLE if arguments.table is None else arguments.table
+        return load_table(name, _overrides(arguments.set), _conditions(arguments))
 
     # Who says what to play on wants to play.
-    said = arguments.table or arguments.set or arguments.conditions or arguments.seed is not None
+    said = arguments.set or any(given is not None for given in (arguments.table, arguments.conditions, arguments.seed))
     return play(table, seed=arguments.seed, frames=arguments.frames, menu=not said)
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
+    from . import outcome
+
     overrides = _overrides(arguments.set)
     limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
     step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
     for path, scenario in _scenarios(arguments, overrides):
+        if not scenario.layout.on_table():
+            raise InputError(path, "balls", [], "there is no ball on the table; nothing can be simulated")
         rollout = scenario.simulate(limit)
         if step is not None and rollout.duration / step * len(rollout.start) > _MOST:
             allowed = f"the paths would have more than {_MOST} points; take a longer step"
             raise InputError("command line", "--sample", step, allowed)
         if arguments.json:
-            print(json.dumps(_as_dict(rollout, step)), flush=True)
+            terminal.write(json.dumps(outcome.as_dict(rollout, step)))
+            terminal.flush()
         else:
-            _tell(path, rollout, step)
+            outcome.tell(path, rollout, step)
     return 0
 
 
@@ -104,10 +114,12 @@ def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iter
 
 def _render(arguments: argparse.Namespace) -> int:
     from .scenario import load_scenario
-    from .ui.render import render
+    from .ui import pictures, render
 
+    out = _file(arguments.out, "OUT.png")
+    pictures.check_path(out)
     scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
-    render(scenario, Path(arguments.out), _size(arguments.size))
+    render.render(scenario, out, _size(arguments.size))
     return 0
 
 
@@ -116,12 +128,17 @@ def _replay(arguments: argparse.Namespace) -> int:
 
     path = Path(arguments.file)
     number = None if arguments.shot is None else _whole(_SHOTS, arguments.shot, "--shot")
+    exports = arguments.png is not None or arguments.gif is not None
+    if arguments.size is not None and not exports:
+        raise InputError("command line", "--size", arguments.size, "allowed is only with --png or --gif")
+    if number is not None and (arguments.verify or arguments.list):
+        raise InputError("command line", "--shot", number, "allowed is not with --list or --verify, which take all")
     if arguments.verify:
         return replay.check(path)
-    if arguments.png:
-        return replay.to_png(path, Path(arguments.png), number, _size(arguments.size or "960x540"))
-    if arguments.gif:
-        return replay.to_gif(path, Path(arguments.gif), number, _size(arguments.size or "640x360"))
+    if arguments.png is not None:
+        return replay.to_png(path, _file(arguments.png, "--png"), number, _size(arguments.size or "960x540"))
+    if arguments.gif is not None:
+        return replay.to_gif(path, _file(arguments.gif, "--gif"), number, _size(arguments.size or "640x360"))
     if arguments.list:
         return replay.tell(path)
     return replay.show(path, number)
@@ -130,15 +147,39 @@ def _replay(arguments: argparse.Namespace) -> int:
 def _tables(arguments: argparse.Namespace) -> int:
     from . import tables
 
+    _check_one_task(arguments)
     if arguments.knobs:
         return tables.tell_knobs()
-    if arguments.check:
+    if arguments.check is not None:
         return tables.check(arguments.check)
-    if arguments.new:
-        return tables.new(Path(arguments.new), arguments.base)
-    if arguments.name:
+    if arguments.new is not None:
+        return tables.new(_file(arguments.new, "--new"), arguments.base or _TABLE)
+    if arguments.name is not None:
         return tables.tell(arguments.name, _overrides(arguments.set), _conditions(arguments))
     return tables.tell_all()
+
+
+def _check_one_task(arguments: argparse.Namespace) -> None:
+    """Raises InputError where `tables` is asked for two things, or for what its task does not use."""
+    named = arguments.name is not None
+    asked = {
+        "NAME": named, "--knobs": arguments.knobs, "--check": arguments.check is not None,
+        "--new": arguments.new is not None,
+    }  # fmt: skip
+    given = [task for task, wanted in asked.items() if wanted]
+    if len(given) > 1:
+        raise InputError("command line", "", None, f"{' and '.join(given)} do not go together; allowed is one of them")
+    if arguments.base is not None and not asked["--new"]:
+        raise InputError("command line", "--base", arguments.base, "allowed is only with --new")
+    if (arguments.set or arguments.conditions is not None) and not named:
+        raise InputError("command line", "", None, "--set and --conditions are allowed only with a table's NAME")
+
+
+def _file(text: str, name: str) -> Path:
+    """A file that is to be written."""
+    if not text:
+        raise InputError("command line", name, text, "allowed is the name of a file")
+    return Path(text)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -156,12 +197,13 @@ def _parser() -> argparse.ArgumentParser:
             metavar="NAME=VALUE",
             help="override a knob: cloth.mu_roll=0.012",
         )
-        sub.add_argument("--conditions", default="", metavar="NAMES", help="lay over the table: heated,dirty-balls")
+        sub.add_argument("--conditions", metavar="NAMES", help="lay over the table: heated,dirty-balls")
         return sub
 
     play = command("play", _play, "Open a window and play (also without a command).")
-    known = ", ".join([*catalogue.shipped(catalogue.TABLES), *catalogue.own(catalogue.TABLES)])
-    play.add_argument("--table", default="", help=f"practise on a preset ({known}) or a .toml file")
+    # A percent sign would start one of argparse's own places.
+    known = ", ".join([*catalogue.shipped(catalogue.TABLES), *catalogue.own(catalogue.TABLES)]).replace("%", "%%")
+    play.add_argument("--table", help=f"practise on a preset ({known}) or a .toml file")
     play.add_argument("--seed", type=int, default=None, help="the first rack's seed; without it, a new one each time")
     play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
 
@@ -194,7 +236,7 @@ def _parser() -> argparse.ArgumentParser:
     tables.add_argument("--knobs", action="store_true", help="print every knob: name, default, range, unit, text")
     tables.add_argument("--check", nargs="+", metavar="FILE", help="say what is wrong with preset files")
     tables.add_argument("--new", metavar="FILE.toml", help="write a preset to start from; replaces nothing")
-    tables.add_argument("--base", default="pool-9ft", metavar="NAME", help="what it starts from (pool-9ft)")
+    tables.add_argument("--base", metavar="NAME", help="what it starts from (pool-9ft)")
     return parser
 
 
@@ -203,6 +245,11 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> Any:
         raise InputError("command line", "", None, message)
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """What is not a complaint: help, and the version."""
+        for line in message.splitlines():
+            terminal.tell(line)
 
 
 def _overrides(settings: list[str]) -> dict[str, Any]:
@@ -224,7 +271,7 @@ def _overrides(settings: list[str]) -> dict[str, Any]:
 
 def _conditions(arguments: argparse.Namespace) -> list[str]:
     """`--conditions A,B` as names."""
-    return [name.strip() for name in arguments.conditions.split(",") if name.strip()]
+    return [] if arguments.conditions is None else [name.strip() for name in arguments.conditions.split(",")]
 
 
 def _number(knob: Knob, text: str, name: str) -> float:
@@ -249,31 +296,3 @@ def _size(text: str) -> tuple[int, int]:
         raise InputError("command line", "--size", text, "allowed is WIDTHxHEIGHT, such as 1280x720")
     size = Knob(0, 64, 8192, "pixels", "")
     return int(_number(size, width, "--size")), int(_number(size, height, "--size"))
-
-
-def _as_dict(rollout: Rollout, step: float | None) -> dict[str, Any]:
-    result: dict[str, Any] = {
-        "duration": rollout.duration,
-        "balls": {ball.id: ball.state() for ball in rollout.layout().values()},
-        "events": [event.as_dict() for event in rollout.events],
-    }
-    if rollout.truncated:
-        result["truncated"] = True
-    if step is not None:
-        result["path"] = {ball: rollout.path(ball, step) for ball in rollout.start}
-    return result
-
-
-def _tell(path: str, rollout: Rollout, step: float | None) -> None:
-    """A rollout for people: a line for each event, and where each ball ended."""
-    cut = ", cut short" if rollout.truncated else ""
-    print(f"{path}: {len(rollout.events)} events in {rollout.duration:.3f} s{cut}")
-    for event in rollout.events:
-        where = f" at {event.where}" if event.where else ""
-        print(f"  {event.t:9.4f} s  {event.kind:<16} {' '.join(event.balls)}{where}")
-    for ball in rollout.layout().values():
-        print(f"  {ball.id:>4}  x {ball.x:8.4f} m  y {ball.y:8.4f} m  {ball.phase}")
-    if step is not None:
-        for name in rollout.start:
-            for t, x, y in rollout.path(name, step):
-                print(f"  {name:>4}  t {t:8.4f} s  x {x:8.4f} m  y {y:8.4f} m")

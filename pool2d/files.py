@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import json
 import os
 import re
+import stat
 from collections.abc import Mapping
 from datetime import date, time
 from pathlib import Path
 from typing import Any
 
 from .errors import InputError
+
+# What tells the drafts of one process apart.
+_numbers = itertools.count()
 
 
 def write_text(path: Path, text: str, new: bool = False) -> None:
@@ -28,15 +33,15 @@ def write_text(path: Path, text: str, new: bool = False) -> None:
 
 def write_bytes(path: Path, content: bytes, new: bool = False) -> None:
     """Write a file whole or not at all, as `write_text`."""
-    # Slow to read, and of no use before the window is open.
-    import tempfile
-
+    check_target(path)
     try:
+        # A link to a file is kept, and the file it leads to is written.
+        path = Path(os.path.realpath(path))
         path.parent.mkdir(parents=True, exist_ok=True)
         # The ending keeps a half-written file from being taken for a preset.
-        handle, draft = tempfile.mkstemp(".part", "." + path.name[:40], path.parent)
+        draft = path.parent / f".{path.name[:40]}{os.getpid()}-{next(_numbers)}.part"
         try:
-            with os.fdopen(handle, "wb") as file:
+            with open(draft, "xb") as file:
                 file.write(content)
                 file.flush()
                 os.fsync(file.fileno())
@@ -52,7 +57,18 @@ def write_bytes(path: Path, content: bytes, new: bool = False) -> None:
         raise InputError(str(path), "", None, f"cannot be written: {error}") from error
 
 
-def _put(draft: str, path: Path, new: bool) -> None:
+def check_target(path: Path) -> None:
+    """Raises InputError where there is something of that name that is no file and must not be replaced by one."""
+    try:
+        mode = os.stat(path).st_mode
+    except (OSError, ValueError):
+        return
+    if not stat.S_ISREG(mode):
+        what = "a folder" if stat.S_ISDIR(mode) else "not a regular file"
+        raise InputError(str(path), "", None, f"cannot be written: it is {what}")
+
+
+def _put(draft: Path, path: Path, new: bool) -> None:
     """Give a finished draft its name."""
     if new:
         try:

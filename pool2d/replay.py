@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from . import terminal
 from .errors import InputError
 from .game.record import Record, Take, load, takes, verify
 
@@ -16,10 +17,10 @@ def check(path: Path) -> int:
     record = load(path)
     found = verify(record)
     if found is not None:
-        print(f"{path}: line {found.line}: {found.what}")
+        terminal.tell(f"{path}: line {found.line}: {found.what}")
         return 1
     strokes = sum(entry.data["do"] == "stroke" for entry in record.entries)
-    print(f"{path}: as recorded: {strokes} strokes, {len(record.entries)} lines")
+    terminal.tell(f"{path}: as recorded: {strokes} strokes, {len(record.entries)} lines")
     return 0
 
 
@@ -39,19 +40,18 @@ def to_png(path: Path, folder: Path, number: int | None, size: tuple[int, int]) 
 
     take = take_of(load(path), number)
     count = film.to_png(take.match.table, take.rollout, folder, f"shot-{take.number:03d}", size, _RATE)
-    print(f"{folder}: {count} pictures of shot {take.number}, {_RATE} a second")
+    terminal.tell(f"{folder}: {count} pictures of shot {take.number}, {_RATE} a second")
     return 0
 
 
 def to_gif(path: Path, out: Path, number: int | None, size: tuple[int, int]) -> int:
     """Write a stroke as a moving picture."""
-    from .ui import film
+    from .ui import film, pictures
 
-    if out.suffix.lower() != ".gif":
-        raise InputError(str(out), "", None, "a moving picture's name ends in .gif")
+    pictures.check_path(out, moving=True)
     take = take_of(load(path), number)
     film.to_gif(take.match.table, take.rollout, out, size, _RATE)
-    print(f"{out}: shot {take.number}")
+    terminal.tell(f"{out}: shot {take.number}")
     return 0
 
 
@@ -68,5 +68,5 @@ def tell(path: Path) -> int:
 
     for take in takes(load(path)):
         notes = " ".join(say(note, take.match.names) for note in take.moment.ruling.notes)
-        print(f"{take.number:4}  {notes}")
+        terminal.tell(f"{take.number:4}  {notes}")
     return 0

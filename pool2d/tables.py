@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from . import catalogue
+from . import catalogue, terminal
 from .errors import InputError
 from .files import to_text, write_text
 from .folders import data_folder
@@ -20,14 +19,14 @@ def tell_all() -> int:
     """Print the presets and the conditions with their titles; a broken one with what is wrong."""
     yours = set(catalogue.own(catalogue.TABLES)) | set(catalogue.own(catalogue.CONDITIONS))
     for names, title in ((presets(), _title), (conditions(), condition_title)):
-        print("Tables:" if title is _title else "Conditions, for --conditions:")
+        terminal.tell("Tables:" if title is _title else "Conditions, for --conditions:")
         for name in names:
             mark = "  (yours)" if name in yours else ""
             try:
-                print(f"  {name:<20} {title(name)}{mark}")
+                terminal.tell(f"  {name:<20} {title(name)}{mark}")
             except InputError as error:
-                print(f"  {name:<20} {error}{mark}")
-    print(f"Your own are kept in {data_folder()}")
+                terminal.tell(f"  {name:<20} {error}{mark}")
+    terminal.tell(f"Your own are kept in {data_folder()}")
     return 0
 
 
@@ -35,22 +34,22 @@ def tell(name: str, overrides: Mapping[str, Any], conditions: Sequence[str]) -> 
     """Print every knob of a preset as name = value unit, and where the value comes from."""
     preset = read_preset(name, conditions)
     table = load_table(name, overrides, conditions)
-    print(f"{name}: {table.title}, {preset_path(name)}")
-    print("  racks: " + ", ".join(table.furniture.racks))
-    print(f"  balls: {table.furniture.cue}, " + ", ".join(table.furniture.balls))
+    terminal.tell(f"{name}: {table.title}, {preset_path(name)}")
+    terminal.tell("  racks: " + ", ".join(table.furniture.racks))
+    terminal.tell(f"  balls: {table.furniture.cue}, " + ", ".join(table.furniture.balls))
     for knob_name, knob, value in walk(table.knobs):
         origin = "set" if knob_name in overrides else preset.origins.get(knob_name, "default")
         if origin not in ("set", "default", name) and not origin.startswith("conditions "):
             origin = f"base {origin}"
         said = f"{knob_name} = {_plain(value)} {knob.unit}"
-        print(f"{said.rstrip():<40} # {origin}")
+        terminal.tell(f"{said.rstrip():<40} # {origin}")
     return 0
 
 
 def tell_knobs() -> int:
     """Print every knob: name, default, range, unit, text."""
     for name, knob, default in walk(Knobs()):
-        print(f"{name:<24} {_plain(default):<14} {_range(knob):<32} {knob.doc}")
+        terminal.tell(f"{name:<24} {_plain(default):<14} {_range(knob):<32} {knob.doc}")
     return 0
 
 
@@ -62,9 +61,10 @@ def check(files: Sequence[str]) -> int:
             table = load_table(file)
             for rack in table.furniture.racks:
                 table.rack(rack)
-            print(f"{file}: good, {table.title}")
+            terminal.tell(f"{file}: good, {table.title}")
         except InputError as error:
-            print(f"pool2d: {error if error.source == file else error.at(f'{file}: {error.source}')}", file=sys.stderr)
+            told = error if error.source == file else error.at(f"{file}: {error.source}")
+            terminal.complain(f"pool2d: {told}")
             status = 2
     return status
 
@@ -75,7 +75,7 @@ def new(path: Path, base: str) -> int:
         raise InputError(str(path), "", None, "a preset's name ends in .toml")
     table = load_table(base)
     write_text(path, _start(path.stem, base, table), new=True)
-    print(f"{path}: written; uncomment what you want to change, then play it: pool2d play --table {path}")
+    terminal.tell(f"{path}: written; uncomment what you want to change, then play it: pool2d play --table {path}")
     return 0
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import subprocess
 import sys
 from functools import partial
@@ -29,6 +30,7 @@ angle = -1.0
 speed = 3.0
 side = 0.2
 """
+ROOT = Path(__file__).resolve().parent.parent
 STATE = {"x", "y", "vx", "vy", "wx", "wy", "wz", "phase"}
 Capture = pytest.CaptureFixture[str]
 
@@ -219,8 +221,7 @@ def test_version_and_help(capsys: Capture, word: str) -> None:
 
 
 def run(*words: str) -> subprocess.CompletedProcess[str]:
-    root = Path(__file__).resolve().parent.parent
-    return subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=root, check=False, timeout=60)
+    return subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=ROOT, check=False, timeout=60)
 
 
 def test_it_is_a_program(play: str) -> None:
@@ -257,3 +258,128 @@ def test_a_full_disk_is_told_in_one_line(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert "cannot be written" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (["tables", "--knobs", "x"], "command line: NAME and --knobs do not go together; allowed is one of them"),
+        (["tables", "--knobs", "--check", "x"], "command line: --knobs and --check do not go together"),
+        (["tables", "--base", "snooker-12ft"], "command line: --base = 'snooker-12ft': allowed is only with --new"),
+        (["tables", "--conditions", "heated"], "command line: --set and --conditions are allowed only with"),
+        (["tables", ""], "table: table = '': unknown"),
+        (["tables", "--new", ""], "command line: --new = '': allowed is the name of a file"),
+        (["replay", "a.jsonl", "--gif", ""], "command line: --gif = '': allowed is the name of a file"),
+        (["replay", "a.jsonl", "--png", ""], "command line: --png = '': allowed is the name of a file"),
+        (["replay", "a.jsonl", "--verify", "--shot", "1"], "command line: --shot = 1: allowed is not with --list or"),
+        (["replay", "a.jsonl", "--size", "640x360"], "command line: --size = '640x360': allowed is only with --png"),
+        (["simulate", "a.toml", "--conditions", ""], "a.toml: conditions = ''"),
+        (["render", "a.toml", ""], "command line: OUT.png = '': allowed is the name of a file"),
+        (["simulate", "--position", "pool-9ft"], "position: balls = []: there is no ball on the table"),
+    ],
+)
+def test_what_would_be_passed_over_is_refused(
+    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch, words: list[str], line: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.toml").write_text(PLAY)
+    assert refusal(capsys, *words).startswith(f"pool2d: {line}")
+
+
+def test_a_picture_that_cannot_be_is_refused_before_it_is_drawn(
+    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch, play: str
+) -> None:
+    monkeypatch.setattr("pool2d.scenario.simulate", pytest.fail)
+    os.mkfifo(tmp_path / "pipe.png")
+    (tmp_path / "folder.png").mkdir()
+    for name, words in (
+        ("pipe.png", "cannot be written: it is not a regular file"),
+        ("folder.png", "cannot be written: it is a folder"),
+        ("a.txt", "a picture's name ends in .png, .jpg, .bmp or .tga"),
+        ("none/a.png", "cannot be written: there is no such folder"),
+    ):
+        assert refusal(capsys, "render", play, str(tmp_path / name)) == f"pool2d: {tmp_path / name}: {words}"
+    assert refusal(capsys, "render", play, "/dev/null").startswith("pool2d: /dev/null: a picture's name ends in")
+
+
+def test_a_picture_has_any_name_that_a_file_can_have(tmp_path: Path, capsys: Capture, play: str) -> None:
+    for name in (b"\xff\xfe.png", b"a\nb\x1b[31m.png", "球.jpg".encode()):
+        out = os.path.join(os.fsencode(tmp_path), name)
+        assert main(["render", play, os.fsdecode(out), "--size", "64x64"]) == 0
+        assert os.path.getsize(out) > 100
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_link_is_written_through(tmp_path: Path, play: str) -> None:
+    link, file = tmp_path / "link.png", tmp_path / "file.png"
+    link.symlink_to(file)
+    assert main(["render", play, str(link), "--size", "64x64"]) == 0
+    assert link.is_symlink()
+    assert file.read_bytes().startswith(b"\x89PNG")
+
+
+def test_where_there_is_no_room_no_stump_is_left(play: str, tmp_path: Path) -> None:
+    """A limit on the size of a file is a full disk to who writes: a part is taken, the rest refused."""
+    code = (
+        "import resource, signal, sys; signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        "from pool2d.cli import main\nresource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))\nsys.exit(main())"
+    )
+    folder = tmp_path / "out"
+    folder.mkdir()
+    for out in (folder / "a.png", folder / "a.bmp"):
+        environment = {**os.environ, "POOL2D_CACHE": str(tmp_path / "cache")}
+        done = subprocess.run(
+            [sys.executable, "-c", code, "render", play, str(out), "--size", "320x180"],
+            capture_output=True, text=True, check=False, env=environment, cwd=ROOT,
+        )  # fmt: skip
+        assert (done.returncode, done.stderr) == (2, f"pool2d: {out}: cannot be written: File too large\n")
+        assert list(folder.iterdir()) == []
+
+
+def test_names_that_no_terminal_can_take_are_escaped(
+    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
+    (tmp_path / "tables").mkdir()
+    for name in (b"\xff.toml", b"\x1b[2J.toml", b"50%s.toml", b"a\nb.toml"):
+        Path(os.fsdecode(os.path.join(os.fsencode(tmp_path), b"tables", name))).write_text("name = 'Mine'")
+    (tmp_path / "tables" / "bad.toml").write_text('name = "a\\u0000"')
+    assert main(["tables"]) == 0
+    out = capsys.readouterr().out
+    assert all(line.isprintable() for line in out.splitlines())
+    for told in ("\\udcff", "\\x1b[2J", "50%s", "a\\nb", "name = 'a\\x00': allowed is a text"):
+        assert told in out
+    with pytest.raises(SystemExit):
+        main(["play", "--help"])
+    assert "50%s" in capsys.readouterr().out.replace("\n", "")
+
+
+@pytest.mark.parametrize("command", [["tables"], ["simulate", "--json", "PLAY"], ["play", "--help"], ["--version"]])
+def test_a_closed_output_is_told_in_one_line(play: str, command: list[str]) -> None:
+    words = [play if word == "PLAY" else word for word in command]
+    shell = 'exec "$@" >&-'
+    done = subprocess.run(
+        ["sh", "-c", shell, "sh", sys.executable, "-m", "pool2d", *words],
+        stderr=subprocess.PIPE, text=True, check=False, cwd=ROOT,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (2, "pool2d: standard output: cannot be written: it is closed\n")
+
+
+def test_an_output_of_ascii_alone_takes_every_text(play: str, tmp_path: Path) -> None:
+    data = tmp_path / "data"
+    (data / "tables").mkdir(parents=True)
+    (data / "tables" / "mine.toml").write_text('name = "Größe 球"', encoding="utf-8")
+    environment = {**os.environ, "POOL2D_DATA": str(data), "PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(
+        [sys.executable, "-m", "pool2d", "tables"], capture_output=True, check=False, cwd=ROOT, env=environment
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert b"Gr\\xf6\\xdfe \\u7403" in done.stdout
+
+
+def test_errors_that_nobody_can_read_are_still_a_status(play: str) -> None:
+    done = subprocess.run(
+        ["sh", "-c", 'exec "$@" 2>&-', "sh", sys.executable, "-m", "pool2d", "simulate", play + "x"],
+        stdout=subprocess.PIPE, check=False, cwd=ROOT,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (2, b"")

@@ -21,7 +21,8 @@ LAYERS = {
     "pool2d.scenario": 2, "pool2d": 2,
     "pool2d.game": 3,
     "pool2d.ui": 4,
-    "pool2d.tables": 5, "pool2d.replay": 5, "pool2d.cli": 5, "pool2d.__main__": 6, "main": 6,
+    "pool2d.terminal": 5, "pool2d.outcome": 5, "pool2d.tables": 5,
+    "pool2d.replay": 5, "pool2d.cli": 5, "pool2d.__main__": 6, "main": 6,
 }  # fmt: skip
 # Who may import what is not in the standard library.
 GUESTS = {"pymunk": "pool2d.table", "pygame": "pool2d.ui", "numpy": "pool2d.ui"}

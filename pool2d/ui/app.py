@@ -14,7 +14,7 @@ from ..game.session import practice
 from ..preset import load_table
 from ..settings import GUIDES, Settings, Store
 from ..table import Table
-from . import rulings, text, words
+from . import pictures, rulings, text, words
 from .dialog import Dialog, ground
 from .drill_shelf import DrillShelf
 from .effects import effects_of, style_of
@@ -208,10 +208,9 @@ class App:
                 break
             path = path.with_stem(f"{path.stem.partition('_')[0]}_{number}")
         try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            pygame.image.save(self.surface, path)
+            pictures.save(self.surface, path)
             self.toast(say("window.picture_saved", path=path))
-        except (OSError, pygame.error) as error:
+        except InputError as error:
             self.toast(say("window.picture_failed", reason=error), wrong=True)
 
     def _follow(self) -> None:

@@ -10,17 +10,23 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import re
 import sys
 import tempfile
 import zlib
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from functools import lru_cache
 from pathlib import Path
+
+from ..errors import InputError
+from ..reader import read_bytes
 
 # The oldest pictures go when all of them are larger, bytes: room for five of 3840 by 2160.
 _ROOM = 128 << 20
 _ENDING = ".pixels"
 _SUM = 4
+# `from .module import name, name`, where the names may go on over lines in brackets.
+_IMPORT = re.compile(r"^[ \t]*from (\.+)([\w.]*) import (\([^)]*\)|[^\n]*)", re.MULTILINE)
 
 
 def folder() -> Path:
@@ -35,28 +41,53 @@ def folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or home / ".cache") / "pool2d"
 
 
-def name_of(content: Hashable, files: tuple[str, ...]) -> str:
-    """The name of a picture made of `content` by the code in `files`; `content` is told apart by its repr."""
-    return hashlib.sha256(f"{_code(files)} {content!r}".encode()).hexdigest()[:32]
+def name_of(content: Hashable, file: str) -> str:
+    """The name of a picture made of `content` by the code in `file`; `content` is told apart by its repr."""
+    return hashlib.sha256(f"{_code(file)} {content!r}".encode()).hexdigest()[:32]
 
 
 @lru_cache
-def _code(files: tuple[str, ...]) -> str:
-    """A digest of source files, or of their names where they cannot be read."""
+def _code(file: str) -> str:
+    """A digest of a source file and all that it imports of pool2d."""
     digest = hashlib.sha256()
-    for file in files:
-        digest.update(file.encode())
-        with contextlib.suppress(OSError):
-            digest.update(Path(file).read_bytes())
+    for path, source in sorted(sources(Path(file)).items()):
+        digest.update(path.name.encode() + source)
     return digest.hexdigest()
+
+
+def sources(file: Path) -> dict[Path, bytes]:
+    """A source file and those that it imports by relative names, they theirs and so on: what each holds.
+
+    Who imports the package by its name is not followed; where nothing can be read, there is only the name.
+    """
+    found: dict[Path, bytes] = {}
+    ahead = [file.resolve()]
+    while ahead:
+        path = ahead.pop()
+        if path not in found:
+            found[path] = b""
+            with contextlib.suppress(OSError):
+                found[path] = path.read_bytes()
+            ahead += _imported(path.parent, found[path].decode("utf-8", "replace"))
+    return found
+
+
+def _imported(folder: Path, source: str) -> Iterator[Path]:
+    """The files of the modules that a source in this folder imports from beside or above it."""
+    for dots, module, names in _IMPORT.findall(source):
+        base = folder.joinpath(*[".."] * (len(dots) - 1), *module.split(".")).resolve()
+        words = re.findall(r"\w+", names)
+        for path in (base.with_name(base.name + ".py"), base / "__init__.py", *(base / f"{word}.py" for word in words)):
+            if path.is_file():
+                yield path
 
 
 def load(name: str, size: int) -> memoryview | None:
     """A picture of `size` bytes; None where it is not there or not whole."""
     path = folder() / (name + _ENDING)
     try:
-        content = path.read_bytes()
-    except OSError:
+        content = read_bytes(path, size + _SUM)
+    except InputError:
         return None
     pixels = memoryview(content)[:-_SUM]
     if len(pixels) != size or zlib.crc32(pixels).to_bytes(_SUM, "big") != content[-_SUM:]:

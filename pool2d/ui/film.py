@@ -17,7 +17,7 @@ from ..physics.rollout import Rollout
 from ..physics.turning import Quaternion, Turning
 from ..physics.values import Ball
 from ..table import Table
-from . import ball_art, gif, table_art, tray
+from . import ball_art, gif, pictures, table_art, tray
 from .view import fit
 
 # How long the last picture is held, in hundredths of a second.
@@ -49,18 +49,19 @@ def to_png(table: Table, rollout: Rollout, folder: Path, name: str, size: tuple[
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for number, picture in enumerate(frames(table, rollout, size, times), 1):
-            pygame.image.save(picture, folder / f"{name}-{number:04d}.png")
-    except (OSError, pygame.error) as error:
-        raise InputError(str(folder), "", None, f"cannot be written: {error}") from error
+            pictures.save(picture, folder / f"{name}-{number:04d}.png")
+    except OSError as error:
+        raise InputError(str(folder), "", None, f"cannot be written: {error.strerror}") from error
     return len(times)
 
 
 def to_gif(table: Table, rollout: Rollout, out: Path, size: tuple[int, int], rate: int) -> None:
     """Write the pictures as a GIF that goes round, holding its last picture; raises InputError."""
+    pictures.check_path(out, moving=True)
     pygame.font.init()
     palette = gif.median_cut([_pixels(picture) for picture in frames(table, rollout, size, (0.0, rollout.duration))])
-    pictures = map(_pixels, frames(table, rollout, size, _times(rollout, rate)))
-    write_bytes(out, gif.encode(pictures, palette, 100 // rate, _HOLD))
+    shown = map(_pixels, frames(table, rollout, size, _times(rollout, rate)))
+    write_bytes(out, gif.encode(shown, palette, 100 // rate, _HOLD))
 
 
 def _times(rollout: Rollout, rate: int) -> list[float]:

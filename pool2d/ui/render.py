@@ -6,10 +6,9 @@ from pathlib import Path
 
 import pygame
 
-from ..errors import InputError
 from ..game.lying import racked
 from ..scenario import Scenario
-from . import ball_art, guide, table_art
+from . import ball_art, guide, pictures, table_art
 from .view import fit
 
 
@@ -18,6 +17,7 @@ def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
 
     Raises InputError where the file cannot be written.
     """
+    pictures.check_path(out)
     pygame.font.init()
     table = scenario.table
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
@@ -30,9 +30,4 @@ def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
         radius = table.body_of(ball)[0] * view.scale
         balls.append(ball_art.Placed(look, view.to_screen(ball.x, ball.y), radius, lies[ball.id]))
     ball_art.draw_all(picture, balls)
-    if out.suffix.lower() not in (".png", ".jpg", ".bmp", ".tga"):
-        raise InputError(str(out), "", None, "a picture's name ends in .png, .jpg, .bmp or .tga")
-    try:
-        pygame.image.save(picture, out)
-    except (OSError, pygame.error) as error:
-        raise InputError(str(out), "", None, f"cannot be written: {error}") from error
+    pictures.save(picture, out)

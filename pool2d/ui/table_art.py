@@ -10,7 +10,7 @@ import numpy as np
 import pygame
 
 from ..table import Table
-from . import cache, cloth, leather, outset, paint, theme, wood
+from . import cache, cloth, leather, paint, wood
 from .view import View
 
 # As many rows are painted at a time, and so many strips at once.
@@ -18,8 +18,6 @@ _ROWS = 96
 _HANDS = min(4, os.cpu_count() or 1)
 # A draft has so many times fewer pixels each way.
 _COARSE = 3
-# The code that a picture depends on.
-_FILES = (__file__, *(str(module.__file__) for module in (cloth, leather, outset, paint, theme, wood)))
 
 
 def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -> pygame.Surface:
@@ -65,7 +63,7 @@ def content(table: Table) -> Hashable:
 
 
 def _name(table: Table, size: tuple[int, int], view: View) -> str:
-    return cache.name_of((content(table), size, view), _FILES)
+    return cache.name_of((content(table), size, view), __file__)
 
 
 def _pixels(table: Table, size: tuple[int, int], view: View, hands: int) -> memoryview:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import subprocess
 import sys
@@ -210,6 +211,20 @@ def test_a_key_that_is_held_goes_on_turning_the_aim(hand: Hand) -> None:
     for _ in range(5):
         hand.post(pygame.KEYDOWN, key=pygame.K_LEFT, mod=0, unicode="")
     assert hand.play.hands.aim.angle == pytest.approx(angle + 0.25)
+
+
+def test_a_screenshot_that_a_full_disk_takes_in_part_is_told(
+    hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("POOL2D_PICTURES", str(tmp_path / "pictures"))
+
+    def full(file: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("pool2d.files.os.fsync", full)
+    hand.key(pygame.K_F12)
+    assert "No space left on device" in toasted(hand)
+    assert list((tmp_path / "pictures").iterdir()) == []
 
 
 def test_a_screenshot_that_cannot_be_saved_is_told(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

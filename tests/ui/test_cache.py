@@ -11,6 +11,8 @@ from pool2d import load_table
 from pool2d.ui import cache, table_art
 from pool2d.ui.view import View, fit
 
+from ..test_layers import MODULES, imports
+
 SIZE = (160, 90)
 
 
@@ -73,5 +75,57 @@ def test_other_code_draws_another_picture(tmp_path: Path) -> None:
     code = [tmp_path / "one.py", tmp_path / "two.py"]
     code[0].write_text("a")
     code[1].write_text("b")
-    names = {cache.name_of("x", (str(path),)) for path in code} | {cache.name_of("y", (str(code[0]),))}
+    names = {cache.name_of("x", str(path)) for path in code} | {cache.name_of("y", str(code[0]))}
     assert len(names) == 3
+
+
+def test_a_change_in_what_the_code_imports_draws_another_picture(tmp_path: Path) -> None:
+    """However it is imported, and through others."""
+    inner = tmp_path / "package" / "inner"
+    inner.mkdir(parents=True)
+    files = {
+        "package/inner/draws.py": "from . import (\n    one,\n    two as other,\n)\n",
+        "package/inner/one.py": "from ..below import something\n",
+        "package/inner/two.py": "def late():\n    from ..deep.under import x\n",
+        "package/below.py": "",
+        "package/deep/under.py": "",
+        "package/deep/__init__.py": "",
+        "package/idle.py": "",
+    }
+    for name, content in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(content)
+
+    def named() -> str:
+        cache._code.cache_clear()
+        return cache.name_of("x", str(inner / "draws.py"))
+
+    before = named()
+    for file in files:
+        (tmp_path / file).write_text((tmp_path / file).read_text() + "# changed\n")
+        assert (named() == before) == (file in ("package/idle.py", "package/deep/__init__.py"))
+        before = named()
+
+
+def test_all_that_draws_a_table_belongs_to_its_digest() -> None:
+    """As the parser reads the imports, not as the cache does."""
+    reached, ahead = set(), ["pool2d.ui.table_art"]
+    while ahead:
+        module = ahead.pop()
+        if module not in reached:
+            reached.add(module)
+            path = MODULES[module]
+            found = imports(module, path.read_text(encoding="utf-8"), path.name == "__init__.py")
+            ahead += [one for one in found if one in MODULES]
+    assert {"pool2d.ui.view", "pool2d.outline", "pool2d.geometry", "pool2d.ui.cloth"} <= reached
+    known = {path.resolve() for path in cache.sources(Path(table_art.__file__))}
+    # A package that is named only on the way to its module is not read.
+    assert {MODULES[module] for module in reached if MODULES[module].name != "__init__.py"} <= known
+
+
+def test_an_entry_that_is_no_file_is_passed_over(place: Path) -> None:
+    place.mkdir(parents=True)
+    os.mkfifo(place / "a.pixels")
+    assert cache.load("a", 3) is None
+    cache.save("a", b"xyz")
+    assert bytes(cache.load("a", 3) or b"") == b"xyz"
