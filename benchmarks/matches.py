@@ -28,9 +28,14 @@ from pool2d.game.witness import read
 from pool2d.knobs import walk
 from pool2d.physics.values import POCKETED, Ball, Layout
 
-TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft")
+TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft", "pyramid-12ft")
 # Games to a score are played to less, so that they end.
-SHORT = {"straight": {"target": 8.0}, "three-cushion": {"points": 2.0}, "straight-rail": {"points": 3.0}}
+SHORT = {
+    "straight": {"target": 8.0},
+    "three-cushion": {"points": 2.0},
+    "straight-rail": {"points": 3.0},
+    "four-ball": {"points": 3.0},
+}
 # After so many strokes a match is given up.
 STROKES = 300
 # Practice never ends.
@@ -96,8 +101,10 @@ def drawn(name: str, rng: random.Random) -> dict[str, object]:
 def stroke(table: Table, ruling: Ruling, rng: random.Random) -> tuple[Shot, Call]:
     """A shot at the easiest of a few balls and pockets, or anywhere, and what is called."""
     ask, layout = ruling.ask, ruling.layout
-    on = [layout[ball] for ball in ask.on] or [ball for ball in layout.on_table() if ball.id != ask.ball]
-    cue, speed = layout[ask.ball], rng.uniform(1.0, 6.0)
+    struck = rng.choice(ask.cues) if ask.cues else ask.ball
+    balls = [layout[ball] for ball in ask.on] or layout.on_table()
+    on = [ball for ball in balls if ball.id != struck]
+    cue, speed = layout[struck], rng.uniform(1.0, 6.0)
     if not ruling.state.shots:
         speed = rng.uniform(7.0, 10.0)
     ways = [
@@ -116,7 +123,7 @@ def stroke(table: Table, ruling: Ruling, rng: random.Random) -> tuple[Shot, Call
     for said in ask.may:
         if rng.random() < 0.2:
             call = Call(safety=said == "safety", push=said == "push")
-    return Shot(angle=angle, speed=speed, ball=ask.ball), call
+    return Shot(angle=angle, speed=speed, ball=struck), call
 
 
 def way(table: Table, cue: Ball, ball: Ball, x: float, y: float) -> tuple[float, float]:

@@ -54,7 +54,8 @@ class Report:
     `stroke` names what was wrong with the stroke itself: "double-hit", "push", "miscue".
     `kitchen`: the cue ball met its first ball behind the head string without having crossed it; `stayed`: it
     neither crossed the head string nor met a ball beyond it. `crossed` are the balls that went over the
-    head string, and `passed` those that went over the middle of the table's length, either way. `astray`: the cue
+    head string, `passed` those that went over the middle of the table's length, either way, and `cleared` those whose
+    whole width came over it. `astray`: the cue
     ball went over the long string, the line that halves the table along its length. `jammed` are the
     cushions that the cue ball lay on and was shot into. On a table without pockets `strayed` are the balls that
     stood in a corner (`corner_of`) and left it, if only for a while. `start` is the layout before the shot.
@@ -72,6 +73,7 @@ class Report:
     stayed: bool = False
     crossed: tuple[str, ...] = ()
     passed: tuple[str, ...] = ()
+    cleared: tuple[str, ...] = ()
     astray: bool = False
     jammed: tuple[str, ...] = ()
     strayed: tuple[str, ...] = ()
@@ -86,6 +88,11 @@ class Report:
     def potted(self) -> tuple[str, ...]:
         """The object balls that fell, in their order."""
         return tuple(pot.ball for pot in self.pots)
+
+    @property
+    def fallen(self) -> tuple[str, ...]:
+        """Every ball that fell, the struck one too, in their order."""
+        return tuple(c.ball for c in self.contacts if c.kind == POCKET)
 
     @property
     def off(self) -> tuple[str, ...]:

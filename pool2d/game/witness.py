@@ -73,6 +73,7 @@ class _Reader:
             stayed=self.stayed(),
             crossed=self.over(self.line),
             passed=self.over(0.5 * self.table.knobs.table.length),
+            cleared=tuple(self.cleared()),
             astray=self.astray(),
             jammed=tuple(self.jammed()),
             strayed=() if self.table.geometry.pockets else tuple(self.strayed()),
@@ -174,6 +175,15 @@ class _Reader:
                 u, v, limit = lines(self.table)[corner]
                 if _span(self.rollout.tracks[ball.id], self.rollout.duration, u, v)[1] > limit:
                     yield ball.id
+
+    def cleared(self) -> Iterator[str]:
+        """The object balls that came over the middle of the table's length with their whole width."""
+        middle = 0.5 * self.table.knobs.table.length
+        for ball, (low, high) in self.spans.items():
+            if ball != self.cue:
+                x, radius = self.start[ball].x, self.table.body_of(self.start[ball])[0]
+                if (low + radius < middle) if x > middle else (high - radius > middle):
+                    yield ball
 
     def over(self, line: float | None) -> tuple[str, ...]:
         """The object balls whose centre goes over a line across the table."""

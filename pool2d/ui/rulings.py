@@ -70,8 +70,10 @@ def verdict(moment: Moment, match: Match) -> str:
     report = moment.report
     if report is not None and report.call.push:
         said.append(say("referee.pushed", player=match.names[moment.shooter]))
-    if report is not None and report.potted:
-        said.append(say("referee.fell", balls=", ".join(ball(one) for one in report.potted)))
+    # A struck ball falls without foul only where that is a point.
+    fallen = () if report is None else report.potted if moment.ruling.foul else report.fallen
+    if fallen:
+        said.append(say("referee.fell", balls=", ".join(ball(match.rules.spoken(one)) for one in fallen)))
     elif report is not None and not moment.ruling.foul and match.table.geometry.pockets:
         said.append(say("referee.none_fell"))
     elif report is not None and not moment.ruling.foul and not any(moment.ruling.points):

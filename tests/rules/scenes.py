@@ -19,8 +19,20 @@ from pool2d.game.rules.spotting import put
 from .cases import Case, line
 from .notation import after, only, report
 
-SEEN = ("touching", "pressed", "stroke", "jammed", "strayed")
-NOTED = ("miss", "warned", "free-ball", "tie", "re-racked", "two-visits", "last-inning", "respotted")
+SEEN = ("touching", "pressed", "stroke", "jammed", "strayed", "passed", "cleared")
+NOTED = (
+    "miss",
+    "warned",
+    "free-ball",
+    "tie",
+    "re-racked",
+    "two-visits",
+    "last-inning",
+    "respotted",
+    "free-shot",
+    "own-ball",
+    "no-finish",
+)
 
 
 @dataclass

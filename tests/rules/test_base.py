@@ -19,7 +19,7 @@ TABLE = load_table("pool-9ft")
 
 @pytest.mark.parametrize("name", GAMES)
 def test_a_state_comes_back_from_json(name: str) -> None:
-    tables = [load_table(table) for table in ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft")]
+    tables = [load_table(table) for table in ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft", "pyramid-12ft")]
     rules = game(name, next(table for table in tables if name in games_for(table)))
     state = rules.start(breaker=rules.players - 1, seed=3).state
     assert rules.state(json.loads(json.dumps(state.as_dict()))) == state

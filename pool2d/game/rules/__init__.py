@@ -8,11 +8,15 @@ from typing import Any
 from ...errors import InputError, suggest
 from ...table import Table
 from .base import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Options, Rules, Ruling, State
+from .blackball import Blackball
 from .eight_ball import EightBall, EightBallState
 from .english_eight_ball import EnglishEightBall
+from .four_ball import FourBall
+from .free_pyramid import FreePyramid
 from .nine_ball import NineBall
 from .one_pocket import OnePocket
 from .practice import Practice
+from .six_red import SixRed
 from .snooker import Snooker
 from .straight import Straight
 from .straight_rail import StraightRail
@@ -29,9 +33,13 @@ GAMES: dict[str, type[Rules[Any]]] = {
         Straight,
         OnePocket,
         EnglishEightBall,
+        Blackball,
         Snooker,
+        SixRed,
         ThreeCushion,
         StraightRail,
+        FourBall,
+        FreePyramid,
         Practice,
     )
 }

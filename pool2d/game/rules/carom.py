@@ -58,6 +58,11 @@ class Carom(Rules[CaromState]):
     options_type: ClassVar[type[Options]] = CaromOptions
     state_type = CaromState
 
+    @property
+    def goal(self) -> float:
+        """The score that ends the match."""
+        return float(self.options.points)
+
     def counts(self, report: Report) -> bool:
         """Whether a cannon is one by the rules of this game."""
         raise NotImplementedError
@@ -109,7 +114,7 @@ class Carom(Rules[CaromState]):
         change = points(who, 1)
         state = replace(added(state, change), run=state.run + 1)
         state = replace(state, best=changed(state.best, who, max(state.best[who], state.run)))
-        if state.scores[who] >= self.options.points:
+        if state.scores[who] >= self.goal:
             return self._inning_over(state, layout, (), change)
         return self.goes_on(state, layout, who)._replace(points=change)
 
@@ -188,7 +193,7 @@ class Carom(Rules[CaromState]):
         who = state.ask.who
         opponent, notes = self.other(who), told(change)
         state = replace(state, innings=changed(state.innings, who, state.innings[who] + 1), run=0, zone=-1)
-        done = state.scores[who] >= self.options.points
+        done = state.scores[who] >= self.goal
         if done and who == state.breaker and self.options.equal == "yes":
             state = replace(self.opened(state, opponent), last=True)
             layout = self.set_up(state, layout, opponent)
@@ -199,7 +204,7 @@ class Carom(Rules[CaromState]):
             winner = -1 if first == second else int(second > first)
             return self.ruled(self.ended(state, winner), layout, *notes, fouls=found, points=change)
         ruling = self.goes_on(state, layout, opponent)
-        return ruling._replace(fouls=found, notes=(*found, *ruling.notes))
+        return ruling._replace(fouls=found, notes=(*found, *notes, *ruling.notes), points=change)
 
 
 def cushions_before_last(report: Report) -> int:

@@ -79,7 +79,8 @@ class Snooker(Rules[SnookerState]):
 
     def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
         """3.2, 3.3 (c): the balls on their spots, the cue ball in hand."""
-        state, layout = self.racked(SnookerState(seed=seed, breaker=breaker))
+        new: SnookerState = self.state_type(seed=seed, breaker=breaker)
+        state, layout = self.racked(new)
         return self.ruled(self.aiming(state, layout, breaker, D), layout)
 
     def aiming(
@@ -101,7 +102,7 @@ class Snooker(Rules[SnookerState]):
         aim = aimed(state.phase, state.free, report)
         state = replace(state, shots=state.shots + 1)
         last = self.on_table(report.start) == ("black",)
-        found = fouls(self.table, layout, report, aim)
+        found = self.found(state, layout, report, aim)
         kept = aim.on if state.phase == ORDER and not found else ()
         gone = dict.fromkeys(ball for ball in (*report.potted, *report.off) if ball in COLORS and ball not in kept)
         layout, spotted = spot_colors(self.table, layout, gone)
@@ -133,6 +134,10 @@ class Snooker(Rules[SnookerState]):
             # 3.11 (h), 3.12 (f): the offender plays, and there is no free ball.
             return self.ruled(self.aiming(state, layout, self.other(who), where), layout)
         return self.ruled(self.aiming(state, layout, who, where, self.free_ball(state, layout)), layout)
+
+    def found(self, state: SnookerState, layout: Layout, report: Report, aim: Aim) -> tuple[Foul, ...]:
+        """Every foul of a stroke, the dearest first (3.10)."""
+        return fouls(self.table, layout, report, aim)
 
     def conceded(self, state: SnookerState, layout: Layout, player: int) -> Ruling:
         """2.1 (a): only the striker may concede; raises InputError for the other player."""
