@@ -2,10 +2,11 @@
 
 Prints the time from starting Python to the splash and to the end of the first frame, without a kept picture of the
 table and with one; then frames at rest, while aiming (the guide is simulated anew each frame), of a break with all
-that can be shown, and while the camera comes nearer for the first time. Beside the clock's time stands the
-processor's, of all threads together, which tells the truth on a machine that has other things to do. As machines,
-and one machine from minute to minute, differ in speed, each line ends with the median over the time that a loop of
-100,000 additions took just then.
+that can be shown, and while the camera comes nearer for the first time. What presenting a frame took is told apart,
+with the part of the window that was presented: it is the screen's driver that does it. Without a screen that is
+nothing; SDL_VIDEODRIVER=x11 measures it on one. Beside the clock's time stands the processor's, of all threads
+together, which tells the truth on a machine that has other things to do. As machines, and one machine from minute to
+minute, differ in speed, each line ends with the median over the time that a loop of 100,000 additions took just then.
 """
 
 from __future__ import annotations
@@ -18,8 +19,9 @@ import tempfile
 import time
 import timeit
 from collections.abc import Callable, Sequence
+from typing import Any
 
-os.environ["SDL_VIDEODRIVER"] = "dummy"
+os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ["SDL_AUDIODRIVER"] = "dummy"
 
 _FRAMES, _STARTS = 200, 5
@@ -49,6 +51,7 @@ def _frames(size: tuple[int, int]) -> None:
 
     app = App(load_table("pool-9ft"), seed=3, size=size)
     app.step(0.0)
+    presented = _Presented()
     hands = app.play.hands
 
     def turn() -> None:
@@ -56,13 +59,18 @@ def _frames(size: tuple[int, int]) -> None:
         app.redraw()
 
     def frames(name: str, change: Callable[[], None] = lambda: None, dt: float = _FRAME) -> None:
-        times = []
+        drawn, shown, parts = [], [], []
         for _ in range(_FRAMES):
             change()
+            presented.forget()
             clock, processor = time.perf_counter(), time.process_time()
             app.step(dt)
-            times.append((time.perf_counter() - clock, time.process_time() - processor))
-        _tell(name, times)
+            took = time.perf_counter() - clock, time.process_time() - processor
+            shown.append(presented.took)
+            drawn.append((took[0] - presented.took[0], took[1] - presented.took[1]))
+            parts.append(presented.part)
+        _tell(name, drawn)
+        _tell(f"  presenting {100.0 * statistics.median(parts):.0f} % of it", shown)
 
     frames("at rest")
     frames("the same, drawn again", app.redraw)
@@ -75,6 +83,33 @@ def _frames(size: tuple[int, int]) -> None:
     # The larger picture that is seen from near, drawn beside the loop, is counted among what is held.
     while not app.play.stage.still:
         app.step(_FRAME)
+
+
+class _Presented:
+    """What presenting took since it was forgotten, s by the clock and of the processor, and how much it was."""
+
+    def __init__(self) -> None:
+        import pygame
+
+        self._size = pygame.display.get_window_size()
+        self._flip, self._update = pygame.display.flip, pygame.display.update
+        pygame.display.flip = lambda: self._time(self._flip, 1.0)
+        pygame.display.update = self._boxes  # type: ignore[assignment]
+        self.forget()
+
+    def forget(self) -> None:
+        self.took, self.part = (0.0, 0.0), 0.0
+
+    def _boxes(self, boxes: list[Any]) -> None:
+        within = [box.clip((0, 0, *self._size)) for box in boxes]
+        pixels = sum(box.width * box.height for box in within)
+        self._time(lambda: self._update(boxes), pixels / (self._size[0] * self._size[1]))
+
+    def _time(self, present: Callable[[], None], part: float) -> None:
+        clock, processor = time.perf_counter(), time.process_time()
+        present()
+        self.took = time.perf_counter() - clock, time.process_time() - processor
+        self.part = part
 
 
 def _tell(name: str, times: Sequence[tuple[float, ...]]) -> None:

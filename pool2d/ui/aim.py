@@ -14,6 +14,8 @@ MAX_SPEED = 10.0
 FULL_PULL = 0.36
 FREE_PULL = 0.0085
 _CURVE = 1.6
+# Softer than this nobody strikes: a pull so short is a click of a hand that was not quite still.
+MIN_SPEED = 0.1
 # How far the tip may be set from the centre, in radii: past the miscue limit, but on the ball.
 MAX_OFFSET = 0.7
 MAX_ELEVATION = 80.0
@@ -56,13 +58,14 @@ class Aim:
         return replace(self, elevation=min(max(round(degrees, 1), 0.0), MAX_ELEVATION))
 
     def with_speed(self, speed: float) -> Aim:
-        return replace(self, speed=min(max(round(speed, 2), 0.1), MAX_SPEED))
+        return replace(self, speed=min(max(round(speed, 2), MIN_SPEED), MAX_SPEED))
 
 
 def pulled_speed(pulled: float) -> float:
     """The cue's speed, m/s, after pulling back by a part of the window's height; 0 where it is no pull."""
     part = (pulled - FREE_PULL) / (FULL_PULL - FREE_PULL)
-    return MAX_SPEED * math.pow(min(max(part, 0.0), 1.0), _CURVE)
+    speed = MAX_SPEED * math.pow(min(max(part, 0.0), 1.0), _CURVE)
+    return speed if speed >= MIN_SPEED else 0.0
 
 
 def drawn_back(speed: float) -> float:

@@ -29,7 +29,7 @@ from .scene import Scene
 from .sound import Sounds
 from .toast import Toasts
 from .watched import WATCH, Watched
-from .window import SIZE, open_window, set_mode
+from .window import LARGEST, SIZE, canvas, open_window, set_mode
 from .words import say
 
 _FPS = 60
@@ -106,7 +106,7 @@ class App:
             if event.type == pygame.QUIT:
                 self.scene = None
             elif not self._window(event) and self.scene is not None:
-                self.scene = self.scene.handle(event)
+                self._hand(event, self.scene)
         if self.scene is not None:
             self.scene = self.scene.update(dt)
         if self.scene is None:
@@ -117,13 +117,29 @@ class App:
         self._keep(dt)
         self.toasts.update(dt)
         if not (self._drawn and self._still):
-            self.scene.draw(self.surface, kept=self.scene is self._shown)
-            self.toasts.draw(self.surface)
-            self._shown = None if self.toasts.notes else self.scene
-            pygame.display.flip()
+            self._draw(self.scene)
             self._drawn = self._still
             self._name()
         return True
+
+    def _draw(self, scene: Scene) -> None:
+        """Draw the scene, with notes over it, and present what has changed on the window."""
+        on = canvas(self.surface)
+        changed = scene.draw(on, kept=scene is self._shown and on is self.surface)
+        self.toasts.draw(on)
+        if on is not self.surface:
+            self.surface.blit(on, (0, 0))
+        self._shown = None if self.toasts.notes else scene
+        if changed is None or self.toasts.notes:
+            pygame.display.flip()
+        else:
+            pygame.display.update(changed)
+
+    def _hand(self, event: pygame.event.Event, scene: Scene) -> None:
+        """Let the scene take an event. A key that leads back to the table does not also strike, pressed twice."""
+        self.scene = scene.handle(event)
+        if event.type == pygame.KEYDOWN and self.scene is not scene and isinstance(self.scene, Play):
+            self.scene.hands.armed = False
 
     def run(self, frames: int | None = None) -> None:
         """Play until the player quits, or for a number of frames."""
@@ -194,8 +210,8 @@ class App:
         self.surface = pygame.display.get_surface() or self.surface
         if not self._full:
             self.size = self.surface.get_size()
-            self.store.turn("screen.width", self.size[0])
-            self.store.turn("screen.height", self.size[1])
+            for name, pixels in zip(("screen.width", "screen.height"), self.size, strict=True):
+                self.store.turn(name, min(pixels, LARGEST))
 
     @property
     def _full(self) -> bool:

@@ -67,7 +67,7 @@ class Background:
             self._waiting = large is None or moving
             if large is not None:
                 given = (large, near)
-        seen = (id(given[0]), view, moving)
+        seen = (given[0], view, moving)
         if seen != self._seen:
             if self._part.get_size() != size:
                 self._part = pygame.Surface(size)

@@ -87,11 +87,12 @@ class DrillPlay(Play):
         """Whether an attempt is over and its balls still lie as they came to rest."""
         return self.playback is None and self.drilling.run.standing.over
 
-    def _enter(self) -> None:
+    def _go_on(self) -> None:
         if self._between:
+            self.hands.armed = False
             self._rack()
         else:
-            super()._enter()
+            super()._go_on()
 
     def _press(self, pos: tuple[int, int]) -> None:
         screen = self.stage.screen

@@ -28,6 +28,9 @@ Pos = tuple[int, int]
 _LEFT, _RIGHT = 1, 3
 # A press becomes a drag when the pointer has moved so far, in pixels.
 _DRAG = 4.0
+# So near to its edge the cue ball is meant, in pixels and in units of the grid, whichever is more: a hand that misses
+# it by a little does not mean to strike.
+_NEAR, _NEAR_UNITS = 12.0, 1.5
 
 
 @dataclass
@@ -91,7 +94,7 @@ class Editing:
         if play.playback is not None or play.hands.busy or play.in_hand.ball or not on_table:
             return False
         x, y = play.stage.view.to_table(*pos)
-        ball = play.session.layout.get(play.session.table.under(x, y, play.session.layout) or "")
+        ball = self._meant(pos, button)
         if button == _LEFT and (ball is None or ball.id != play.session.cue.id or play.session.in_hand):
             return False
         if (ball is None and not play.session.free) or (ball is not None and not self._may_move(ball.id)):
@@ -102,27 +105,59 @@ class Editing:
             self._grip = Grip(button, pos, ball.id, (ball.x - x, ball.y - y))
         return True
 
+    def carry(self, pos: Pos) -> None:
+        """Keep hold of the ball that was put down here, or could not be, as long as the button is down."""
+        session = self.play.session
+        ball = self.play.in_hand.held(session) or self._meant(pos, _LEFT)
+        if ball is not None and (session.in_hand or self._may_move(ball.id)):
+            self._grip = Grip(_LEFT, pos, ball.id)
+
+    def _meant(self, pos: Pos, button: int) -> Ball | None:
+        """The ball under the pointer; for the left button also the cue ball that the pointer just misses."""
+        session, view = self.play.session, self.play.stage.view
+        x, y = view.to_table(*pos)
+        under = session.layout.get(session.table.under(x, y, session.layout) or "")
+        if under is not None or button != _LEFT or session.in_hand:
+            return under
+        cue = session.cue
+        near = max(_NEAR, _NEAR_UNITS * self.play.stage.screen.unit) / view.scale
+        beside = math.hypot(cue.x - x, cue.y - y) <= session.table.body_of(cue)[0] + near
+        return cue if beside and self._may_move(cue.id) else None
+
     def _drag(self, grip: Grip, pos: Pos) -> None:
+        play = self.play
         grip.moved = grip.moved or math.dist(pos, grip.pos) > _DRAG
         if grip.moved and grip.ball:
-            x, y = self.play.stage.view.to_table(*pos)
-            self.play.in_hand.take(grip.ball, (x + grip.offset[0], y + grip.offset[1]))
+            x, y = play.stage.view.to_table(*pos)
+            # A ball that the rules have given is in hand already.
+            ball = play.in_hand.ball if play.session.in_hand else grip.ball
+            play.in_hand.take(ball, (x + grip.offset[0], y + grip.offset[1]))
 
     def _release(self, grip: Grip, pos: Pos) -> None:
         play = self.play
         play.hands.hold = pos
-        if grip.moved and play.in_hand.ball:
-            if play.session.free and play.stage.screen.top.collidepoint(pos):
+        if grip.moved and play.in_hand.held(play.session) is not None:
+            if play.session.free and play.in_hand.ball and play.stage.screen.top.collidepoint(pos):
                 self.remove()
             elif not self.place():
-                why = play.in_hand.refused(play.session)
-                self.let_go()
-                self._tell(lambda: f"{why} {say('edit.put_back')}")
+                self._refuse()
+        elif grip.button == _LEFT and not grip.moved:
+            play.referee.calls.point_out(*play.stage.view.to_table(*pos), play.session)
         elif grip.button == _RIGHT and not grip.moved:
             if grip.ball:
                 self._take_off(grip.ball)
             else:
                 self.add()
+
+    def _refuse(self) -> None:
+        """Tell why a ball may not stand where it was let go, and put it back where it came from a place."""
+        play = self.play
+        why = play.in_hand.refused(play.session)
+        if play.session.in_hand:
+            self._tell(lambda: why)
+        else:
+            self.let_go()
+            self._tell(lambda: f"{why} {say('edit.put_back')}")
 
     # By keyboard.
 

@@ -26,7 +26,8 @@ class Hands:
 
     `pull` is where a pull began and `pulled` how far back it has come, as a part of the window's height; `clicked`
     tells whether the pointer has stayed where it began; `drag` names the diagram being dragged; `hold` is where the
-    pointer was when the aim was set by wheel or keys. `keys` is what keys do, by the names of their actions.
+    pointer was when the aim was set by wheel or keys. `armed` is whether a key may strike: not until a hand has shown
+    that it means this stroke, and not what was there before it. `keys` is what keys do, by the names of their actions.
     """
 
     def __init__(self) -> None:
@@ -37,6 +38,7 @@ class Hands:
         self.clicked = False
         self.drag = ""
         self.hold: Pos | None = None
+        self.armed = True
         self._pointed: tuple[float, float] | None = None
         self.keys: dict[str, Callable[[], None]] = {
             "harder": lambda: self.change_speed(0.25),

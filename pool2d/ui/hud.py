@@ -102,15 +102,21 @@ class KeptBars:
 
     def show(
         self, surface: pygame.Surface, screen: Screen, key: Hashable, draw: Callable[[], None], there: bool = False
-    ) -> None:
-        """Show what `draw` has drawn for this key, or have it drawn; what was shown last may still be `there`."""
-        if key == self._key:
-            if not there:
-                surface.blits(self._parts, False)
-            return
-        draw()
-        self._key = key
-        self._parts = [(surface.subsurface(box).copy(), box.topleft) for box in (screen.top, screen.bottom)]
+    ) -> list[pygame.Rect]:
+        """Show what `draw` has drawn for this key, or have it drawn; what was shown last may still be `there`.
+
+        Returns the bars that were drawn.
+        """
+        bars = [screen.top, screen.bottom]
+        if key != self._key:
+            draw()
+            self._key = key
+            self._parts = [(surface.subsurface(box).copy(), box.topleft) for box in bars]
+        elif there:
+            return []
+        else:
+            surface.blits(self._parts, False)
+        return bars
 
 
 def draw_bars(surface: pygame.Surface, screen: Screen, title: str, note: str) -> None:

@@ -13,16 +13,17 @@ from ..game.session import Session
 from ..settings import GUIDES
 from . import play_art
 from .editing import Editing
-from .keys import action_of, fine_step
+from .keys import KEYS, action_of, fine_step
 from .playback import Playback
 from .positions import Positions
 from .saving import ask_to_save
-from .scene import GUARD, Scene
+from .scene import GUARD, Boxes, Scene
 from .sitting import Sitting
 from .sound import Sounds
 from .tuning import Tuning
 from .words import say
 
+_BY_HAND = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEWHEEL)
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
 
@@ -70,6 +71,8 @@ class Play(Sitting):
         if self.tuning is not None and not self.hands.busy and self.tuning.handle(event):
             scene, self._next = self._next or self, None
             return scene
+        if self.playback is None and event.type in _BY_HAND:
+            self.hands.armed = True
         if event.type == pygame.MOUSEMOTION:
             self.hands.pointer = event.pos
         if self.playback is None and not self.hands.busy and self._referred(event):
@@ -106,6 +109,8 @@ class Play(Sitting):
         action = action_of(key, mod) or ""
         if action == "quit":
             return None
+        if self.playback is None and (action in _ARROWS or action in self.hands.keys):
+            self.hands.armed = True
         if self._holding and action in _ARROWS:
             # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
             dx, dy = _ARROWS[action]
@@ -137,6 +142,8 @@ class Play(Sitting):
             self._next = self.ended()
         elif self._holding:
             self._place()
+            # A drag carries it on from here, whether it could be put down or not.
+            self.editing.carry(pos)
         elif self.playback is None and self.session.ask.kind == AIM and screen.top.bottom <= pos[1] < screen.bottom.top:
             self.hands.begin_pull(pos)
 
@@ -169,6 +176,7 @@ class Play(Sitting):
             self.tell(str(error))
             return True
         if self.session.match.now is not moment:
+            self.hands.armed = False
             self.drop()
             self.tell_the_word()
             self._next = self.ended()
@@ -193,12 +201,24 @@ class Play(Sitting):
         self._put_down()
 
     def _enter(self) -> None:
+        """Skip a shot, or else go on: never both by the same press, nor by one that came a moment too late."""
         if self.playback is not None:
             self.playback.leave()
-        elif self._holding:
+        elif self._guarded:
+            self._rested = 0.0
+        else:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """Do what a key of the stroke does while the balls rest."""
+        if self._holding:
+            self.hands.armed = False
             self._place()
-        elif not self._guarded:
+        elif self.hands.armed or self.session.ask.kind != AIM:
             self._strike(self.hands.aim.speed)
+        else:
+            self.hands.armed = True
+            self.told = lambda: say("play.armed", key=KEYS.shown("strike"))
 
     @property
     def _guarded(self) -> bool:
@@ -225,8 +245,8 @@ class Play(Sitting):
         """Draw what is marked on the cloth, under the balls: nothing in practice. Whether there was anything."""
         return False
 
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
-        play_art.draw(surface, self, kept)
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> Boxes:
+        return play_art.draw(surface, self, kept)
 
     def _tune(self) -> None:
         if not self.practising():
@@ -249,6 +269,7 @@ class Play(Sitting):
 
     def _come_to_rest(self, shown: Playback) -> None:
         super()._come_to_rest(shown)
+        self.hands.armed = False
         if shown.review:
             # The pointer has been elsewhere: the aim stays until it is moved again.
             self.hands.hold = self.hands.pointer

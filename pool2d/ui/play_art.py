@@ -16,6 +16,7 @@ from . import cue_art, hud, scoreboard, stroke, theme, trail, vectors
 from .debug import ScreenPen, draw_geometry
 from .effects import Effects
 from .playback import Playback
+from .scene import Boxes
 from .stage import Stage
 from .words import manner, say
 
@@ -26,13 +27,14 @@ if TYPE_CHECKING:
 _HOP = 0.005
 
 
-def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> None:
-    """Draw the whole window; `kept` as for every scene."""
+def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> Boxes:
+    """Draw the whole window; `kept`, and what is returned, as for every scene."""
     screen = hud.Screen(*surface.get_size())
     panel = play.tuning.width(screen) if play.tuning is not None else 0
-    partial = play.stage.begin(surface, play.session.table, panel, kept)
+    filled = play.stage.begin(surface, play.session.table, panel, kept)
     covered = play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None
-    over = None
+    over: Boxes = None
+    bars = [screen.top, screen.bottom]
     if play.playback is None:
         _at_rest(surface, play)
     else:
@@ -43,18 +45,20 @@ def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> None:
         _vectors(surface, play)
     if play.playback is not None and play.playback.running:
         # A cue may have been drawn over the bars.
-        there = partial and over is not None
-        play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play), there)
+        there = filled is not None and over is not None
+        bars = play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play), there)
         play.stage.over = None if covered else over
     else:
         _bars(surface, play)
     if play.playback is not None and play.playback.review:
         play.timeline.place(screen, panel)
         play.timeline.draw(surface, play.playback, play.session.table)
+        bars.append(screen.bottom)
     if play.playback is None:
         play.referee.draw(surface)
     if play.tuning is not None:
         play.tuning.draw(surface)
+    return None if covered or filled is None or over is None else [*filled, *over, *bars]
 
 
 def notes(play: Play, speed: float) -> str:
@@ -119,7 +123,7 @@ def _area(surface: pygame.Surface, play: Play) -> None:
     surface.blit(shade, (0, 0))
 
 
-def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: Effects) -> list[pygame.Rect] | None:
+def in_motion(surface: pygame.Surface, stage: Stage, shown: Playback, effects: Effects) -> Boxes:
     """The balls of a shot at its moment, their trails, and the cue that struck.
 
     Returns the boxes in which it has drawn; None while the cue is in sight, which takes much room.

@@ -14,6 +14,7 @@ from . import pen, play_art, rulings, scoreboard, shapes, text, theme, vectors
 from .debug import ScreenPen, draw_geometry
 from .effects import effects_of
 from .hud import Screen
+from .scene import Boxes
 from .telling import ball_name, place_name
 from .widgets import plate
 from .words import say
@@ -22,11 +23,11 @@ if TYPE_CHECKING:
     from .replay_scene import Replay
 
 
-def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> None:
-    """Draw the whole window; `kept` as for every scene."""
+def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> Boxes:
+    """Draw the whole window; `kept`, and what is returned, as for every scene."""
     screen = Screen(*surface.get_size())
     take, shown, stage = replay.reel[replay.at], replay.playback, replay.stage
-    stage.begin(surface, take.match.table, kept=kept)
+    filled = stage.begin(surface, take.match.table, kept=kept)
     over = play_art.in_motion(surface, stage, shown, effects_of(replay.store.values))
     if replay.geometry:
         draw_geometry(ScreenPen(surface, stage.view), stage.table)
@@ -41,6 +42,9 @@ def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> None:
     stage.over = None if replay.geometry or replay.vectors or said[0] else over
     replay.timeline.place(screen, 0)
     replay.timeline.draw(surface, shown, stage.table)
+    if filled is None or stage.over is None:
+        return None
+    return [*filled, *stage.over, screen.top, screen.bottom]
 
 
 # The upper bar: from shot to shot on the left, the players on the right.

@@ -16,7 +16,7 @@ from .keys import action_of
 from .options import Options
 from .pick import Pick
 from .playback import Playback
-from .scene import Scene
+from .scene import Boxes, Scene
 from .sound import Sounds
 from .stage import Stage
 from .timeline import Timeline
@@ -182,9 +182,9 @@ class Replay:
                 self.playback.fast = fast
         return self
 
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> Boxes:
         self.stage.style = style_of(self.store.values)
-        replay_art.draw(surface, self, kept)
+        return replay_art.draw(surface, self, kept)
 
 
 def _nothing() -> None:

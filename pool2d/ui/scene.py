@@ -8,6 +8,8 @@ import pygame
 
 # A key that skipped a shot and is pressed again does nothing else so soon after the balls have come to rest, s.
 GUARD = 0.35
+# The parts of a window that have changed, in pixels; None where anything may have.
+Boxes = list[pygame.Rect] | None
 
 
 class Scene(Protocol):
@@ -26,6 +28,9 @@ class Scene(Protocol):
         """Let `dt` seconds pass."""
         ...
 
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
-        """Draw the whole window. `kept` says that it still shows what this scene has drawn last, and no more."""
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> Boxes:
+        """Draw the whole window. `kept` says that it still shows what this scene has drawn last, and no more.
+
+        Returns where it has changed, which is all that has to be presented.
+        """
         ...

@@ -283,6 +283,7 @@ class Sitting:
         who = self.session.ask.who
         if who != self._who and who >= 0:
             self.hands.take_over()
+            self.hands.armed = False
             self._who = who
 
     def _come_to_rest(self, shown: Playback) -> None:

@@ -19,6 +19,7 @@ from ..table import Table
 from . import ball_art, guide, hud, pen, theme, tray
 from .background import Background
 from .camera import Camera
+from .scene import Boxes
 from .tuning import Tuning
 from .view import View, fit
 
@@ -31,9 +32,9 @@ class Stage:
         self.style = theme.PLAIN
         self.keeper = Keeper()
         self.bars = hud.KeptBars()
-        # The boxes in which the last frame has drawn over the table, told by who draws the frame; None where the
-        # next one is to be drawn as a whole.
-        self.over: list[pygame.Rect] | None = None
+        # Where the last frame has drawn over the table, told by who draws the frame; None where the next one is to be
+        # drawn as a whole.
+        self.over: Boxes = None
         self._down: list[str] = []
         self.screen = hud.Screen(1280, 720)
         self.camera = Camera()
@@ -42,10 +43,11 @@ class Stage:
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
-    def begin(self, surface: pygame.Surface, table: Table, panel: int = 0, kept: bool = False) -> bool:
+    def begin(self, surface: pygame.Surface, table: Table, panel: int = 0, kept: bool = False) -> Boxes:
         """Take the window's present size, less `panel` pixels on the right, and draw the table.
 
-        `kept` says that the surface still shows the last frame. Returns whether only the boxes `over` were drawn.
+        `kept` says that the surface still shows the last frame: then only what was drawn over it is filled. Returns
+        the boxes that were.
         """
         self.table = table
         self.screen = hud.Screen(*surface.get_size())
@@ -55,7 +57,7 @@ class Stage:
         over, self.over = self.over if kept else None, None
         left = self._background.show(surface, table, self.camera.home, self.view, over)
         surface.set_clip(None)
-        return left
+        return over if left else None
 
     @property
     def view(self) -> View:
@@ -116,8 +118,9 @@ class Stage:
 
     def guide(self, surface: pygame.Surface, level: int, layout: Layout, shot: Shot) -> None:
         """Draw what a shot would do."""
-        rollout = self.foresee(level, layout, shot)
-        if rollout is not None and level != guide.OFF:
+        # Off, it is not worked out either.
+        rollout = self.foresee(level, layout, shot) if level != guide.OFF else None
+        if rollout is not None:
             if level == guide.WHOLE:
                 guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
             guide.draw(surface, guide.foresee(rollout, shot.ball), level, self.table, self.view)
@@ -135,7 +138,7 @@ class Stage:
     def foresee(self, level: int, layout: Layout, shot: Shot) -> Rollout | None:
         """The shot's rollout as far as the guide needs it; worked out anew only for another shot."""
         events = None if level == guide.WHOLE else guide.EVENTS
-        key = (id(layout), id(self.table), shot, events)
+        key = (layout, self.table, shot, events)
         if key != self._foreseen_key:
             self._foreseen_key = key
             try:

@@ -14,6 +14,10 @@ from . import shapes, text, theme
 SIZE = (1280, 720)
 # Below this nobody can read anything; the window does not open smaller.
 SMALLEST = (640, 360)
+# The largest size that is kept.
+LARGEST = 16384
+# Nothing is laid out in less than this; a smaller window shows the corner of it.
+LEAST = (160, 90)
 # What takes longer than this, s, shows how far it is.
 _SOON = 0.5
 
@@ -39,14 +43,24 @@ def set_mode(size: tuple[int, int], full: bool) -> pygame.Surface:
 def first_size(store: Store) -> tuple[int, int]:
     """The size that was set, or a comfortable one for the screen: 1280x720, twice that on a 4K one, or less."""
     screen = store.values.screen
-    if screen.width and screen.height:
-        return max(SMALLEST[0], int(screen.width)), max(SMALLEST[1], int(screen.height))
     pygame.display.init()
     width, height = max(pygame.display.get_desktop_sizes(), default=SIZE)
+    if screen.width and screen.height:
+        # It may have been set on a larger screen.
+        kept = min(int(screen.width), width), min(int(screen.height), height)
+        return max(SMALLEST[0], kept[0]), max(SMALLEST[1], kept[1])
     # Some room is left for what the desktop keeps on its edges.
     fitting = (n for n in (2.0, 1.0, 0.75) if n * SIZE[0] <= 0.95 * width and n * SIZE[1] <= 0.95 * height)
     scale = next(fitting, 0.5)
     return round(SIZE[0] * scale), round(SIZE[1] * scale)
+
+
+def canvas(window: pygame.Surface) -> pygame.Surface:
+    """What is drawn on in place of the window: itself, unless it is too small for anything to be laid out in it."""
+    width, height = window.get_size()
+    if width >= LEAST[0] and height >= LEAST[1]:
+        return window
+    return pygame.Surface((max(width, LEAST[0]), max(height, LEAST[1])))
 
 
 class Splash:

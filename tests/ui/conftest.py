@@ -75,8 +75,10 @@ class Hand:
         raise AssertionError("the balls are still running")
 
     def strike(self) -> None:
-        """Strike by key, and see it to its end at once."""
-        self.key(pygame.K_SPACE)
+        """Strike by key, and see it to its end at once; where no stroke is armed, the first press arms it."""
+        self.app.step(0.5)
+        for _ in range(1 if self.play.hands.armed else 2):
+            self.key(pygame.K_SPACE)
         self.key(pygame.K_SPACE)
         self.app.step(0.5)
         self.wait_for_rest()

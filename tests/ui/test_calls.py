@@ -115,6 +115,8 @@ def test_a_strike_key_that_is_hit_on_and_on_plays_no_shot_for_the_other(hand: Ha
     for _ in range(30):
         hand.app.step(FRAME)
     hand.key(pygame.K_SPACE)
+    assert session.strokes == 1 and "Once more" in hand.play.message
+    hand.key(pygame.K_SPACE)
     assert session.strokes == 2
 
 
