@@ -192,7 +192,9 @@ class Session:
                     remove(self.recorder.path)
 
     def _do(self, action: Action) -> Moment:
-        return (self.recorder or self.match).play(action)
+        moment = (self.recorder or self.match).play(action)
+        self._taken = None, ""
+        return moment
 
 
 def placing(moment: Moment) -> bool:

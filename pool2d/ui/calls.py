@@ -74,10 +74,11 @@ class Calls:
         return bool(ball or pocket)
 
     def next_ball(self, session: Session, step: int = 1) -> None:
-        """Go on to the next ball that may be meant, or back; after the last, to none."""
-        balls = ("", *self.balls(session))
-        if len(balls) > 1:
-            self._mean(balls[(balls.index(self.meant(session)) + step) % len(balls)], session)
+        """Go on to the next ball that may be meant, or back; where none has to be, after the last to none."""
+        struck = bool(session.ask.cues)
+        balls = self.balls(session) if struck else ("", *self.balls(session))
+        now = session.cue.id if struck else self.ball
+        self._mean(balls[(balls.index(now) + step) % len(balls)], session)
 
     def next_pocket(self, session: Session, step: int = 1) -> None:
         """Go on to the next pocket that may be meant, or back; after the last, to none."""
