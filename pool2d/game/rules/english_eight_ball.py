@@ -13,8 +13,9 @@ from ...physics.values import POCKETED, Layout
 from ..report import BALL, Report
 from .base import Ruling, State
 from .pool import DRIVEN, PoolRules, changed, driven
-from .sight import sees, snookered, snookered_from
+from .sight import sees, snookered
 from .spotting import KITCHEN, nearest, put
+from .vantage import vantage
 from .words import Note
 
 BLACK = "black"
@@ -191,14 +192,16 @@ class EnglishEightBall(PoolRules[EnglishState]):
     ) -> Ruling:
         """The turn after a foul: from baulk (E) where the cue ball is off the table, and P.
 
-        Who is foul-snookered may play from where the cue ball lies or from baulk, and nominate a ball that is not on.
+        Who is foul-snookered, by balls or by a jaw (Q), may play from where the cue ball lies or from baulk, and
+        nominate a ball that is not on.
         """
         on, cue = self.on(state, layout, who), layout[self.table.furniture.cue]
         where = KITCHEN if cue.phase == POCKETED else ""
+        # Q: a jaw snookers the cue ball that lies between it and its like.
         hidden = (
-            snookered_from(self.table, layout, cue, on, self._places())
+            vantage(self.table, layout, cue, on, where, between=True) is None
             if where
-            else snookered(self.table, layout, cue, on)
+            else snookered(self.table, layout, cue, on, between=True)
         )
         state = replace(state, free=hidden)
         if hidden:
@@ -245,9 +248,3 @@ class EnglishEightBall(PoolRules[EnglishState]):
     def next_note(self, state: EnglishState) -> Note:
         note = super().next_note(state)
         return replace(note, key="in-hand.baulk") if note.key == "in-hand.kitchen" else note
-
-    def _places(self) -> Iterator[Point]:
-        """Places all over baulk."""
-        line, width = self.table.furniture.spots["head"][0], self.table.knobs.table.width
-        for i in range(48):
-            yield line * (3.5 - i // 12) / 4.0, width * (i % 12 + 0.5) / 12.0

@@ -10,13 +10,16 @@ import math
 from collections.abc import Collection, Iterable, Iterator
 from typing import NamedTuple
 
-from ...outline import Point
+from ...outline import Point, distance_to_edge, edges
+from ...physics.detect import Jaw
 from ...physics.values import Ball, Layout
 from ...table import Table
 from ..report import FROZEN
 
 # What a ball may reach into a line without standing in its way, m: more than rounding, less than can be seen.
 _HAIR = 1e-7
+# What the names of jaws end in, after the pocket's.
+JAW = " jaw"
 
 
 class Disc(NamedTuple):
@@ -45,13 +48,84 @@ class Line(NamedTuple):
         return along - math.sqrt(disc.touch * disc.touch - aside * aside)
 
 
-def snookered(table: Table, layout: Layout, cue: Ball, on: Collection[str], by: Collection[str] | None = None) -> bool:
+class View(NamedTuple):
+    """What a cue ball may meet on straight lines: the balls on, the balls in their way, the jaws of pockets by name.
+
+    `edge` is how near to the outline its middle comes along a cushion; between the jaws of a pocket it comes nearer.
+    `between`: a jaw snookers the ball that lies between it and its like (World Rules, Q). Without, it snookers nothing,
+    nor does a ball behind it (2.17 e).
+    """
+
+    targets: tuple[Disc, ...]
+    others: tuple[Disc, ...]
+    jaws: tuple[tuple[str, Disc], ...]
+    edge: float
+    between: bool
+
+    def open(self, table: Table, place: Point, target: Disc) -> bool:
+        """Whether a ball on can be hit at both its edges from a place."""
+        lines = _edges(place, target)
+        if not self.between:
+            return all(_open(line, self.others) or self._jaw_first(line) for line in lines)
+        if not all(_open(line, self.others) for line in lines):
+            return False
+        pocket = mouth(table, place, self.edge) if lines and self.jaws else ""
+        return all(_open(line, [disc for name, disc in self.jaws if name == pocket]) for line in lines)
+
+    def alone(self, other: Disc) -> View:
+        """The view with only one ball in the way, and no jaws."""
+        return self._replace(others=(other,), jaws=())
+
+    def _jaw_first(self, line: Line) -> bool:
+        """Whether a pocket's jaw is nearer on a line than the balls in its way."""
+        stop = min(line.meets(other) for other in self.others)
+        return any(line.meets(jaw) < stop for _, jaw in self.jaws)
+
+
+def view(
+    table: Table,
+    layout: Layout,
+    cue: Ball,
+    on: Collection[str],
+    by: Collection[str] | None = None,
+    between: bool = False,
+) -> View:
+    """What a cue ball may meet; `by` are the balls that may stand in the way, all that are not on where not given."""
+    edge = table.reach(table.body_of(cue)[0])
+    jaws = tuple(
+        (element.name.removesuffix(JAW), Disc(element.x, element.y, element.radius + edge))
+        for element in table.elements
+        if isinstance(element, Jaw) and element.name.endswith(JAW)
+    )
+    return View(*_discs(table, layout, cue, on, by), jaws, edge, between)
+
+
+def mouth(table: Table, place: Point, edge: float) -> str:
+    """The pocket between whose jaws a ball lies: it is nearer to the outline than it gets to a cushion; "" for none."""
+    if table.on_surface(*place) and all(
+        distance_to_edge(*place, side) >= edge - _HAIR for side in edges(table.geometry.corners)
+    ):
+        return ""
+    pockets = table.geometry.pockets
+    return min(pockets, key=lambda pocket: math.dist(place, (pocket.x, pocket.y))).name if pockets else ""
+
+
+def snookered(
+    table: Table,
+    layout: Layout,
+    cue: Ball,
+    on: Collection[str],
+    by: Collection[str] | None = None,
+    between: bool = False,
+) -> bool:
     """2.17: whether no ball on can be hit at both its edges, for balls that are not on.
 
     `by` are the balls that may stand in the way, all that are not on where not given. Of a cushion only the
-    curved face matters (e): where it is nearer than the ball in the way, that ball snookers nothing.
+    curved face matters (e): where it is nearer than the ball in the way, that ball snookers nothing. With `between` it
+    snookers itself the ball between the jaws (World Rules, Q).
     """
-    return _snookered(table, (cue.x, cue.y), *_discs(table, layout, cue, on, by))
+    seen = view(table, layout, cue, on, by, between)
+    return not any(seen.open(table, (cue.x, cue.y), target) for target in seen.targets)
 
 
 def snookering(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> str:
@@ -59,16 +133,6 @@ def snookering(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> 
     others = [ball for ball in layout.on_table() if ball.id != cue.id and ball.id not in on]
     others.sort(key=lambda ball: math.hypot(ball.x - cue.x, ball.y - cue.y))
     return next((ball.id for ball in others if snookered(table, layout, cue, on, (ball.id,))), "")
-
-
-def snookered_from(table: Table, layout: Layout, cue: Ball, on: Collection[str], places: Iterable[Point]) -> bool:
-    """2.17 (a): whether a cue ball in hand is snookered from all the places at which it has room."""
-    targets, others = _discs(table, layout, cue, on)
-    radius = table.body_of(cue)[0]
-    return all(
-        _snookered(table, place, targets, others) or not table.has_room(*place, radius, layout, ignore=cue.id)
-        for place in places
-    )
 
 
 def sees(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> bool:
@@ -86,7 +150,7 @@ def sees_full(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> b
 
 def _discs(
     table: Table, layout: Layout, cue: Ball, on: Collection[str], by: Collection[str] | None = None
-) -> tuple[list[Disc], list[Disc]]:
+) -> tuple[tuple[Disc, ...], tuple[Disc, ...]]:
     """The balls on, and the balls that may stand in the way."""
     targets, others = [], []
     for ball in layout.on_table():
@@ -95,16 +159,7 @@ def _discs(
             targets.append(disc)
         elif ball.id != cue.id and (by is None or ball.id in by):
             others.append(disc)
-    return targets, others
-
-
-def _snookered(table: Table, place: Point, targets: list[Disc], others: list[Disc]) -> bool:
-    return not any(_edges_open(table, place, target, others) for target in targets)
-
-
-def _edges_open(table: Table, place: Point, target: Disc, others: list[Disc]) -> bool:
-    lines = _edges(place, target)
-    return all(_open(line, others) or _jaw_first(table, line, others) for line in lines)
+    return tuple(targets), tuple(others)
 
 
 def _edges(place: Point, target: Disc) -> tuple[Line, ...]:
@@ -117,7 +172,7 @@ def _edges(place: Point, target: Disc) -> tuple[Line, ...]:
     return tuple(_line(place, middle + turn, length) for turn in (-half, half))
 
 
-def _part_open(place: Point, target: Disc, others: list[Disc]) -> bool:
+def _part_open(place: Point, target: Disc, others: Iterable[Disc]) -> bool:
     far = _gap(place, target)
     if far <= target.touch + FROZEN:
         return True
@@ -125,7 +180,7 @@ def _part_open(place: Point, target: Disc, others: list[Disc]) -> bool:
     return any(_open(_line_to(place, target, angle), others) for angle in _angles(place, middle, half, others))
 
 
-def _angles(place: Point, middle: float, half: float, others: list[Disc]) -> Iterator[float]:
+def _angles(place: Point, middle: float, half: float, others: Iterable[Disc]) -> Iterator[float]:
     """The ways at which a ball comes into sight, if it does: at its own edges, or past those of another ball."""
     # A grazed ball counts as hit, so the edges are taken a hair within.
     yield from (middle, middle - half * (1.0 - 1e-9), middle + half * (1.0 - 1e-9))
@@ -154,16 +209,5 @@ def _line_to(place: Point, target: Disc, angle: float) -> Line:
     return way._replace(length=way.meets(target))
 
 
-def _open(line: Line, others: list[Disc]) -> bool:
+def _open(line: Line, others: Iterable[Disc]) -> bool:
     return all(line.meets(other) >= line.length for other in others)
-
-
-def _jaw_first(table: Table, line: Line, others: list[Disc]) -> bool:
-    """Whether a pocket's jaw is nearer on a line than the balls in its way."""
-    stop = min(line.meets(other) for other in others)
-    x, y, room = line.x + stop * line.dx, line.y + stop * line.dy, table.knobs.ball.radius
-    near = table.near(min(x, line.x) - room, min(y, line.y) - room, max(x, line.x) + room, max(y, line.y) + room)
-    if not any(table.elements[index].name.endswith(" jaw") for index in near):
-        return False
-    far, name = table.cast(line.x, line.y, line.dx, line.dy, Layout())
-    return far < stop and (name or "").endswith(" jaw")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from ...errors import InputError
@@ -14,7 +13,7 @@ from ...physics.values import POCKETED, Layout
 from ..report import Report
 from .base import Options, Rules, Ruling, State
 from .pool import added, points, told
-from .sight import sees, sees_full, snookered, snookered_from
+from .sight import sees, sees_full, snookered
 from .snooker_fouls import (
     COLOR,
     LEAST,
@@ -32,6 +31,7 @@ from .snooker_fouls import (
 )
 from .snooker_spots import COLORS, spot_colors, value
 from .spotting import D, put
+from .vantage import vantage
 from .words import Note
 
 
@@ -149,7 +149,7 @@ class Snooker(Rules[SnookerState]):
         """3.12: whether the cue ball is snookered after a foul."""
         on, cue = balls_on(state.phase, layout), layout[self.table.furniture.cue]
         if cue.phase == POCKETED:
-            return snookered_from(self.table, layout, cue, on, self._places())
+            return vantage(self.table, layout, cue, on, D) is None
         return snookered(self.table, layout, cue, on)
 
     def _foul(
@@ -240,15 +240,6 @@ class Snooker(Rules[SnookerState]):
         drawn = random.Random(f"lots {state.seed}").randrange(2)
         state = self.to_choose(replace(state, tied=True, phase=ORDER, run=0), drawn, "play", "pass")
         return self.ruled(state, layout, *notes, Note("tie"), fouls=told_of, spotted=spotted, points=change)
-
-    def _places(self) -> Iterator[Point]:
-        """Places all over the D."""
-        x, y = self.table.furniture.spots["head"]
-        for part in (4, 2, 3, 1, 0):
-            radius = 0.25 * part * self.table.furniture.d_radius
-            for turn in (-4, 4, 0, -2, 2, -3, 3, -1, 1):
-                angle = 0.125 * math.pi * turn
-                yield x - radius * math.cos(angle), y + radius * math.sin(angle)
 
 
 def could_be_on(state: SnookerState, layout: Layout) -> tuple[str, ...]:
