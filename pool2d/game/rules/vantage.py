@@ -17,7 +17,7 @@ from itertools import combinations
 from typing import NamedTuple, TypeAlias
 
 from ...outline import Point, edges
-from ...physics.detect import Jaw, Rail
+from ...physics.detect import Jaw, Pocket, Rail
 from ...physics.values import Ball, Layout
 from ...table import Table
 from .sight import JAW, Disc, View, view
@@ -78,8 +78,7 @@ class Area:
 
     def _box(self) -> tuple[float, float, float, float]:
         """The box round the area: left, low, right, high."""
-        corners = self.table.geometry.corners
-        box = [f(values) for f in (min, max) for values in zip(*((c.x, c.y) for c in corners), strict=True)]
+        box = [f(values) for f in (min, max) for values in zip(*self.table.geometry.outline, strict=True)]
         line = self.table.furniture.head_string
         if line is not None and self.where == KITCHEN:
             # The line itself is not in the kitchen.
@@ -91,31 +90,32 @@ class Area:
         return left, low, right, high
 
     def _curves(self) -> Iterator[Curve]:
-        """What bounds the area: its line or bow, the balls, cushions, the jaws and what lies between them."""
+        """What bounds the area: its line or bow, the balls, cushions, the jaws, and the drops that lie behind them."""
         yield Straight(1.0, 0.0, self.box[2])
         if self.where == D:
             yield Disc(self.box[2], self.table.furniture.spots["head"][1], self.table.furniture.d_radius)
         yield from self.balls
         reach = self.table.reach(self.radius)
         for a, b in edges(self.table.geometry.corners):
-            yield from self._along((a.x, a.y), (b.x, b.y), HAIR, reach)
+            yield from self._along((a.x, a.y), (b.x, b.y), reach)
         for element in self.table.elements:
             if isinstance(element, Rail) and element.name.endswith(JAW):
                 yield from self._along((element.ax, element.ay), (element.bx, element.by), reach)
             elif isinstance(element, Jaw):
                 yield Disc(element.x, element.y, element.radius + reach)
+            elif isinstance(element, Pocket):
+                yield Disc(element.x, element.y, element.radius)
 
-    def _along(self, a: Point, b: Point, *gaps: float) -> Iterator[Straight]:
-        """The lines to the left of a segment, where that is near the area."""
+    def _along(self, a: Point, b: Point, gap: float) -> Iterator[Straight]:
+        """The line to the left of a segment, where that is near the area."""
         left, low, right, high = self.box
-        near = max(gaps)
-        if min(a[0], b[0]) > right + near or max(a[0], b[0]) < left - near:
+        if min(a[0], b[0]) > right + gap or max(a[0], b[0]) < left - gap:
             return
-        if min(a[1], b[1]) > high + near or max(a[1], b[1]) < low - near:
+        if min(a[1], b[1]) > high + gap or max(a[1], b[1]) < low - gap:
             return
         size = math.dist(a, b)
         nx, ny = (a[1] - b[1]) / size, (b[0] - a[0]) / size
-        yield from (Straight(nx, ny, nx * a[0] + ny * a[1] + gap) for gap in gaps)
+        yield Straight(nx, ny, nx * a[0] + ny * a[1] + gap)
 
 
 def vantage(
