@@ -1,0 +1,164 @@
+"""Running the tests in a copy of the tree: to see which test executes which lines, or to show a changed tree to some.
+
+Each run is a fork of this process, which has loaded what tests need of others and nothing of the project: so it begins
+at once, and imports the project from the copy.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import json
+import os
+import resource
+import signal
+import sys
+import time
+from collections import defaultdict
+from collections.abc import Iterator
+from functools import _lru_cache_wrapper
+from pathlib import Path
+from typing import Any
+
+import coverage
+import hypothesis
+import numpy
+import pymunk
+import pytest
+
+with contextlib.redirect_stdout(None):
+    import pygame
+
+LOADED = (hypothesis, numpy, pymunk, pygame)
+# A changed program may ask for all memory there is; it gets so much, bytes.
+MEMORY = 6 << 30
+_OURS = ("pool2d", "tests", "benchmarks", "main", "docs")
+
+
+class Watch:
+    """Which lines each test executes: a plugin for pytest that writes {"seconds", "failed", "lines"} by test."""
+
+    def __init__(self, out: Path) -> None:
+        self._out = out
+        self._coverage = coverage.Coverage(data_file=None, config_file=False, source_pkgs=["pool2d"], messages=False)
+        self._seconds: dict[str, float] = defaultdict(float)
+        self._failed: set[str] = set()
+        self._file = ""
+
+    def pytest_configure(self) -> None:
+        self._coverage.start()
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_make_collect_report(self, collector: pytest.Collector) -> Iterator[Any]:
+        # What a file of tests does when it is imported, all its tests build on.
+        self._coverage.switch_context(collector.nodeid if isinstance(collector, pytest.Module) else "")
+        report = yield
+        self._coverage.switch_context("")
+        return report
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[Any]:
+        if file_of(item.nodeid) != self._file:
+            self._file = file_of(item.nodeid)
+            _forget()
+        self._coverage.switch_context(item.nodeid)
+        done = yield
+        self._coverage.switch_context("")
+        return done
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        self._seconds[report.nodeid] += report.duration
+        if report.failed:
+            self._failed.add(report.nodeid)
+
+    def pytest_sessionfinish(self) -> None:
+        self._coverage.stop()
+        data = self._coverage.get_data()
+        lines: dict[str, dict[str, list[int]]] = defaultdict(lambda: defaultdict(list))
+        for path in data.measured_files():
+            name = Path(path).relative_to(Path.cwd()).as_posix()
+            for line, contexts in data.contexts_by_lineno(path).items():
+                for context in filter(None, contexts):
+                    lines[context][name].append(line)
+        self._out.write_text(json.dumps({"seconds": self._seconds, "failed": sorted(self._failed), "lines": lines}))
+
+
+class Show:
+    """Runs the tests that are named, each with the seconds that it may take, in that order, until one fails."""
+
+    def __init__(self, limits: dict[str, float], out: Path) -> None:
+        self._limits = limits
+        self._out = out
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        order = {test: place for place, test in enumerate(self._limits)}
+        items[:] = sorted((item for item in items if item.nodeid in order), key=lambda item: order[item.nodeid])
+        for item in items:
+            item.add_marker(pytest.mark.timeout(self._limits[item.nodeid]), append=False)
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        self._tell(report)
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        self._tell(report)
+
+    def _tell(self, report: pytest.CollectReport | pytest.TestReport) -> None:
+        if report.failed:
+            why = str(getattr(report.longrepr, "reprcrash", None) or report.longrepr)
+            self._out.write_text(f"{report.nodeid}: {why.strip().splitlines()[-1]}")
+
+
+def file_of(test: str) -> str:
+    return test.partition("::")[0]
+
+
+def _forget() -> None:
+    """Empty what functions keep of results: each file of tests then works out for itself what it needs."""
+    for kept in gc.get_objects():
+        if isinstance(kept, _lru_cache_wrapper) and kept.__module__.startswith("pool2d"):
+            kept.cache_clear()
+
+
+def begin(tree: Path, arguments: list[str], plugin: Watch | Show, log: Path) -> int:
+    """Start pytest in a copy of the tree; the id of its process. What it prints goes to a file."""
+    sys.stdout.flush()
+    process = os.fork()
+    if process == 0:
+        status = 70
+        try:
+            _become(tree, log)
+            fixed = ["-n", "0", "-x" if isinstance(plugin, Show) else "-q", "-p", "no:cacheprovider"]
+            status = pytest.main([*fixed, *arguments], plugins=[plugin])
+        finally:
+            os._exit(status)
+    return process
+
+
+def _become(tree: Path, log: Path) -> None:
+    """Make this process one that was started in the tree."""
+    os.setpgid(0, 0)
+    out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+    os.dup2(out, 1)
+    os.dup2(out, 2)
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    scratch = tree.with_name(f"{tree.name}-scratch")
+    scratch.mkdir(exist_ok=True)
+    # Random tests repeat on a build machine; and what tests leave behind goes with the tree.
+    os.environ.update(CI="1", TMPDIR=str(scratch))
+    os.chdir(tree)
+    sys.path[0] = str(tree)
+    for name in [name for name in sys.modules if name.partition(".")[0] in _OURS]:
+        del sys.modules[name]
+
+
+def end(process: int, patience: float) -> int | None:
+    """The status with which the process ends; None where it had to be killed, by a signal or after so many seconds."""
+    deadline = time.monotonic() + patience
+    while time.monotonic() < deadline:
+        done, status = os.waitpid(process, os.WNOHANG)
+        if done:
+            return os.WEXITSTATUS(status) if os.WIFEXITED(status) else None
+        time.sleep(0.02)
+    os.killpg(process, signal.SIGKILL)
+    os.waitpid(process, 0)
+    return None
