@@ -19,6 +19,8 @@ class Casebook:
     def __init__(self, name: str) -> None:
         self.cases: list[Case] = json.loads((Path(__file__).parent / name).read_text(encoding="utf-8"))
         self.used: set[str] = set()
+        # Tests go through what is expected: where that is nothing they would pass.
+        assert all(case["expected"] for case in self.cases)
 
     def run(self, prefix: str) -> Callable[[Test], Test]:
         """Run a test on every case whose id starts so."""

@@ -16,8 +16,9 @@ def test_every_package_is_listed() -> None:
 
 def test_every_asset_is_listed() -> None:
     data = SETUPTOOLS["package-data"]
-    for path in (ROOT / "assets").rglob("*"):
-        if path.is_file():
-            package = ".".join(("pool2d", *path.parent.relative_to(ROOT).parts))
-            assert package in SETUPTOOLS["packages"]
-            assert any(path.match(pattern) for pattern in data[package]), path
+    assets = [path for path in (ROOT / "assets").rglob("*") if path.is_file()]
+    assert assets
+    for path in assets:
+        package = ".".join(("pool2d", *path.parent.relative_to(ROOT).parts))
+        assert package in SETUPTOOLS["packages"]
+        assert any(path.match(pattern) for pattern in data[package]), path

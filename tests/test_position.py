@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from pool2d import Ball, InputError, Layout, Shot, load_scenario, load_table
@@ -48,8 +48,7 @@ def bits(layout: Layout) -> list[str]:
 @given(layouts, st.none() | shots)
 def test_what_is_written_reads_back_to_the_bit(layout: Layout, shot: Shot | None) -> None:
     text = write(layout, shot)
-    if not text:
-        return
+    assume(text)
     assert text.isprintable()
     back = read(text)
     assert bits(back.layout) == bits(layout)

@@ -150,6 +150,7 @@ def test_a_ball_stands_on_its_spot(name: str, rack: str, ball: str, spot: str) -
 @pytest.mark.parametrize("name", NAMES)
 def test_spots_have_room(name: str) -> None:
     table = TABLE[name]
+    assert table.furniture.spots
     for x, y in table.furniture.spots.values():
         assert table.has_room(x, y, table.knobs.ball.radius, Layout())
 

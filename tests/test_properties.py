@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
@@ -54,20 +54,20 @@ def test_break_under_any_law_is_sound(laws: tuple[str, str]) -> None:
 @given(plays(TABLE, own_sizes=True), ANY_TABLE)
 def test_balls_that_meet_keep_their_momentum(play: Play, table: Table) -> None:
     """Except where the cloth has a hand in it: in `mathavan2014`, and where balls are only pressed together."""
-    if table.knobs.ball.law == "mathavan2014":
-        return
+    assume(table.knobs.ball.law != "mathavan2014")
     layout, shot = play
-    for event in simulate(table, layout, shot).events:
-        if event.pairs and not event.rails:
-            # At the most, two balls of 0.3 kg feel the cloth's friction of the next moment.
-            pressed = 2.0 * 0.3 * table.knobs.cloth.mu_slide * table.knobs.gravity * MOMENT
-            slack = 1e-12 if nearing(event) > PRESSED else pressed
-            for part in ("vx", "vy"):
-                before, after = (
-                    sum(table.body_of(layout[name])[1] * getattr(ball, part) for name, ball in balls.items())
-                    for balls in (event.before, event.after)
-                )
-                assert after == pytest.approx(before, abs=slack)
+    meetings = [event for event in simulate(table, layout, shot).events if event.pairs and not event.rails]
+    assume(meetings)
+    for event in meetings:
+        # At the most, two balls of 0.3 kg feel the cloth's friction of the next moment.
+        pressed = 2.0 * 0.3 * table.knobs.cloth.mu_slide * table.knobs.gravity * MOMENT
+        slack = 1e-12 if nearing(event) > PRESSED else pressed
+        for part in ("vx", "vy"):
+            before, after = (
+                sum(table.body_of(layout[name])[1] * getattr(ball, part) for name, ball in balls.items())
+                for balls in (event.before, event.after)
+            )
+            assert after == pytest.approx(before, abs=slack)
 
 
 def nearing(event: Event) -> float:

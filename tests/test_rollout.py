@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import copy
 import math
 
 import pytest
 
-from pool2d import Ball, Layout, Shot, load_table, simulate
+from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
 
 from .scenes import random_shot
 
@@ -22,19 +23,18 @@ def test_time_is_clamped_to_the_shot() -> None:
 
 
 def test_at_an_event_the_ball_is_as_it_was_left() -> None:
-    for event in ROLL.events:
-        later = [other for other in ROLL.events if other.t == event.t and other is not event]
-        for ball_id, ball in event.after.items():
-            if not any(ball_id in other.balls for other in later):
-                assert ROLL.at(event.t)[ball_id] == ball
+    left = {(event.t, ball_id): ball for event in ROLL.events for ball_id, ball in event.after.items()}
+    assert len(left) > 10
+    for (t, ball_id), ball in left.items():
+        assert ROLL.at(t)[ball_id] == ball
 
 
-def test_balls_keep_their_own_size() -> None:
-    layout = Layout([Ball("cue", 0.6, 0.6, 1.0, radius=0.03, mass=0.2), Ball("1", 1.2, 0.6)])
-    roll = simulate(TABLE, layout)
+@pytest.mark.parametrize("own", [{"radius": 0.03, "mass": 0.2}, {"radius": 0.03}, {"mass": 0.2}, {}], ids=str)
+def test_a_ball_keeps_what_it_has_of_its_own(own: dict[str, float]) -> None:
+    roll = simulate(TABLE, Layout([Ball("cue", 0.6, 0.6, 1.0, **own), Ball("1", 1.2, 0.6)]))
     for t in (0.0, 0.3, roll.duration):
-        assert (roll.at(t)["cue"].radius, roll.at(t)["cue"].mass) == (0.03, 0.2)
-        assert roll.at(t)["1"].radius is None
+        assert (roll.at(t)["cue"].radius, roll.at(t)["cue"].mass) == (own.get("radius"), own.get("mass"))
+        assert (roll.at(t)["1"].radius, roll.at(t)["1"].mass) == (None, None)
 
 
 def test_final_layout_can_be_played_on() -> None:
@@ -66,6 +66,16 @@ def test_digest_tells_every_difference() -> None:
     alone = Layout([Ball("1", 1.0, 0.6)])
     moved = Layout([Ball("1", 1.0, 0.7)])
     assert simulate(TABLE, alone).digest() != simulate(TABLE, moved).digest()
+
+
+@pytest.mark.parametrize("name", ["kind", "where", "balls"])
+def test_digest_tells_what_happened_and_where(name: str) -> None:
+    """Two rollouts in which every ball is moved alike, but by another cushion, say."""
+    events = [copy.copy(event) for event in ROLL.events]
+    number = next(i for i, event in enumerate(events) if event.where)
+    setattr(events[number], name, "another")
+    assert Rollout(ROLL.start, ROLL.tracks, list(ROLL.events), False).digest() == ROLL.digest()
+    assert Rollout(ROLL.start, ROLL.tracks, events, False).digest() != ROLL.digest()
 
 
 def test_layout_is_a_value() -> None:

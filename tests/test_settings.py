@@ -20,7 +20,9 @@ def path(tmp_path: Path) -> Path:
 
 
 def test_every_setting_describes_itself() -> None:
-    for name, described, value in walk(Settings()):
+    settings = list(walk(Settings()))
+    assert settings
+    for name, described, value in settings:
         assert described.doc
         assert described.check(value, "", name) == described.default
 

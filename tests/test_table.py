@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, reject
 from hypothesis import strategies as st
 
 from pool2d import Ball, InputError, Layout, Table, load_table, simulate
@@ -87,7 +87,9 @@ def test_pocket_is_built_as_its_numbers_say(name: str) -> None:
 
 @pytest.mark.parametrize("name", POCKETS)
 def test_rounding_is_tangent_to_nose_and_facing(name: str) -> None:
-    for jaw in tips(TABLE, name):
+    jaws = tips(TABLE, name)
+    assert len(jaws) == 2
+    for jaw in jaws:
         assert jaw.radius == (TABLE.knobs.side if "side" in name else TABLE.knobs.corner).jaw_radius
         for rails in (noses(TABLE), facings(TABLE, name)):
             # The line's end is where the circle touches it, and the circle lies behind it.
@@ -147,7 +149,7 @@ def test_nothing_gets_past_a_hole(
     try:
         table = TABLE.with_knobs(sizes)
     except InputError:
-        return
+        reject()
     turn = math.radians(45.0 + way)
     # Toward the corner, from half a metre before it and beside its axis.
     x, y = 2.54 - 0.5 * math.cos(turn) - off, 1.27 - 0.5 * math.sin(turn) + off

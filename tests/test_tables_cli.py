@@ -80,6 +80,7 @@ def test_a_preset_is_shown_with_where_its_values_come_from(capsys: pytest.Captur
 
 def test_knobs_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     lines = said(capsys, "--knobs").splitlines()
+    assert lines
     for line, (name, knob, default) in zip(lines, walk(Knobs()), strict=True):
         assert line.startswith(name)
         assert str(default) in line or f"{default:g}" in line

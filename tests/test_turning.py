@@ -91,6 +91,7 @@ def test_any_order_of_asking_gives_the_same_orthonormal_orientations(seed: int) 
     rng.shuffle(times)
     shuffled, forward = Turning(rollout, start), Turning(rollout, start)
     known = {t: forward.lies(t) for t in sorted(times)}
+    assert forward.lies(0.0).keys() == rollout.start.keys()
     for t in times:
         lies = shuffled.lies(t)
         assert lies == known[t] == Turning(rollout, start).lies(t)
@@ -105,6 +106,7 @@ def test_any_order_of_asking_gives_the_same_orthonormal_orientations(seed: int) 
 def test_orientation_never_jumps() -> None:
     rollout = simulate(TABLE, *random_shot(TABLE, 3))
     turning = Turning(rollout, {})
+    assert len(rollout.events) > 10
     for event in rollout.events:
         before, after = turning.lies(event.t - 1e-7), turning.lies(event.t + 1e-7)
         assert all(angle_between(before[ball], after[ball]) < 1e-4 for ball in before)

@@ -222,7 +222,9 @@ def test_it_can_be_drawn_in_every_game(language: str, size: tuple[int, int]) -> 
     hand = Hand(app)
     app.store.turn("screen.language", language)
     hand.key(pygame.K_RETURN)
-    for name in dialog(hand).games:
+    games = dialog(hand).games
+    assert games
+    for name in games:
         dialog(hand)._take_game(name)
         assert app.step(0.01)
         assert dialog(hand).form.rect.bottom <= size[1]

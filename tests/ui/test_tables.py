@@ -57,6 +57,7 @@ def test_frame_cushion_and_cloth_lie_along_every_side(name: str) -> None:
     size = table.knobs.table
     view = fit(size.length, size.width, (0, 0, *SIZE))
     picture = table_art.draw(table, SIZE, view)
+    assert table.geometry.corners
     for a, b in sides(table.geometry.corners):
         length = ((b.x - a.x) ** 2 + (b.y - a.y) ** 2) ** 0.5
         nx, ny = (b.y - a.y) / length, (a.x - b.x) / length

@@ -44,6 +44,7 @@ def shot(hand: Hand) -> None:
 
 def test_every_knob_is_on_one_page() -> None:
     knobs = [name for name, _, _ in walk(load_table("pool-9ft").knobs)]
+    assert knobs
     for name in knobs:
         assert sum(name.startswith(beginnings) for beginnings in PAGES.values()) == 1, name
 
@@ -103,15 +104,16 @@ def test_every_widget_of_every_page_does_something(hand: Hand, page: str) -> Non
     tuning = panel(hand)
     tuning._open(page)
     hand.app.step(0.0)
-    for one in list(tuning.form.widgets):
-        if isinstance(one, (Slider, Choice)) and one.label != "Compare with":
-            before = hand.play.session.table
-            if isinstance(one, Slider):
-                one.put(one.value(one.part(one.get()) + (0.02 if one.part(one.get()) < 0.9 else -0.02)))
-            else:
-                one.turn(1)
-            assert hand.play.session.table is not before or tuning.error, one.label
-            tuning.reset()
+    knobs = [one for one in tuning.form.widgets if isinstance(one, Slider | Choice) and one.label != "Compare with"]
+    assert knobs
+    for one in knobs:
+        before = hand.play.session.table
+        if isinstance(one, Slider):
+            one.put(one.value(one.part(one.get()) + (0.02 if one.part(one.get()) < 0.9 else -0.02)))
+        else:
+            one.turn(1)
+        assert hand.play.session.table is not before or tuning.error, one.label
+        tuning.reset()
 
 
 def test_a_law_is_chosen_by_name(hand: Hand) -> None:

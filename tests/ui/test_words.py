@@ -84,7 +84,9 @@ def test_every_language_says_everything(language: str) -> None:
 
 @pytest.mark.parametrize("language", words.languages())
 def test_every_language_has_the_same_places_to_fill(language: str) -> None:
-    for key, text in words.catalogue(language).texts.items():
+    texts = words.catalogue(language).texts
+    assert texts
+    for key, text in texts.items():
         assert words.places(text) == words.places((ENGLISH | ELSEWHERE)[key]), key
 
 
@@ -93,7 +95,9 @@ def test_a_game_has_one_title() -> None:
 
 
 def test_every_text_asked_for_is_there() -> None:
-    for pattern, where in asked():
+    patterns = list(asked())
+    assert patterns
+    for pattern, where in patterns:
         assert any(re.fullmatch(pattern, key) for key in ENGLISH | ELSEWHERE), f"{where} asks for {pattern}"
 
 
