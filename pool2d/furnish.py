@@ -10,6 +10,7 @@ from .errors import InputError, suggest
 from .knobs import Knob
 from .outline import RECTANGLE, Corner, Point
 from .physics.params import BallKnobs
+from .placing import check_id
 from .racks import Finish, Furniture, Look, Rack
 
 SECTIONS = ("marks", "finish", "balls", "sizes", "looks", "racks")
@@ -25,6 +26,8 @@ _LOOK = ("color", "stripe", "dots", "number")
 _CORNER = ("x", "y", "pocket", "name", "cushion")
 _MOST_CORNERS = 60
 _MOST_SLOTS = 120
+_MOST_NAMES = 250
+_LONGEST_NAME = 40
 
 
 def furnish(data: Mapping[str, Any], length: float, width: float, source: str) -> Furniture:
@@ -71,8 +74,10 @@ def _balls(data: Mapping[str, Any], source: str) -> tuple[str, dict[str, tuple[s
     """The cue ball's id, and the groups of the others."""
     balls = dict(_table(data.get("balls", {}), source, "balls"))
     cue = balls.pop("cue", "cue")
-    if not isinstance(cue, str) or not cue or not cue.isprintable():
-        raise InputError(source, "balls.cue", cue, "allowed is a ball's id")
+    try:
+        check_id(cue, source, "balls.cue")
+    except InputError as error:
+        raise InputError(source, "balls.cue", cue, error.allowed.replace("a text", "a ball's id", 1)) from None
     groups = {name: _ids(ids, source, f"balls.{name}") for name, ids in balls.items()}
     every = [cue, *(ball for ids in groups.values() for ball in ids)]
     if len(every) > _MOST_SLOTS:
@@ -80,8 +85,7 @@ def _balls(data: Mapping[str, Any], source: str) -> tuple[str, dict[str, tuple[s
     for ball in every:
         if every.count(ball) > 1:
             raise InputError(source, "balls", ball, "more than one ball has this id")
-        if not ball or not ball.isprintable():
-            raise InputError(source, "balls", ball, "allowed is a text of printable characters, not empty")
+        check_id(ball, source, "balls")
     return cue, groups
 
 
@@ -147,8 +151,8 @@ def _corner(data: Any, number: int, source: str, key: str) -> Corner:
     names = {"name": f"pocket-{number}" if kind else "", "cushion": f"cushion-{number}"}
     for name in names:
         text = data.get(name, names[name])
-        if not isinstance(text, str) or not text.isprintable() or (not text and name in data):
-            raise InputError(source, f"{key}.{name}", text, "allowed is a text of printable characters, not empty")
+        if text or name in data:
+            check_id(text, source, f"{key}.{name}")
         names[name] = text
     if "name" in data and not kind:
         raise InputError(source, f"{key}.name", names["name"], "a name is the pocket's, and there is none here")
@@ -171,8 +175,8 @@ def _rack(
         if balls.count(ball) > 1:
             raise InputError(source, f"{key}.balls", ball, "this ball is named twice")
     rows = data.get("rows", [])
-    if not isinstance(rows, list):
-        raise InputError(source, f"{key}.rows", rows, "allowed is a list of rows, each a list of slots")
+    if not isinstance(rows, list) or len(rows) > _MOST_SLOTS:
+        raise InputError(source, f"{key}.rows", rows, f"allowed is a list of rows of slots, up to {_MOST_SLOTS}")
     filled = tuple(_ids(row, source, f"{key}.rows") for row in rows)
     _check_slots([slot for row in filled for slot in row], balls, placed, groups, source, f"{key}.rows")
     spot = _spot(data.get("spot"), spots, source, f"{key}.spot") if "spot" in data or filled else (0.0, 0.0)
@@ -227,8 +231,15 @@ def _keys(data: Any, names: tuple[str, ...], source: str, key: str) -> Mapping[s
 
 
 def _table(value: Any, source: str, key: str) -> Mapping[str, Any]:
+    """A section, of names that can be told."""
     if not isinstance(value, dict):
         raise InputError(source, key, value, "allowed is a section of keys and values")
+    if len(value) > _MOST_NAMES:
+        raise InputError(source, key, len(value), f"allowed are up to {_MOST_NAMES} names")
+    for name in value:
+        if not name.strip() or not name.isprintable() or len(name) > _LONGEST_NAME:
+            allowed = f"allowed is a name of up to {_LONGEST_NAME} printable characters"
+            raise InputError(source, key, name, allowed)
     return value
 
 

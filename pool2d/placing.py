@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from .errors import InputError
@@ -19,6 +20,14 @@ SLACK = 1e-6
 # An overlap that counts as contact, m: less than the depth at which the engine looks for one.
 CLOSE = 1e-10
 ROUNDS = 2000
+# Of balls that do not overlap there is no table that holds so many of the usual size.
+MOST_BALLS = 2000
+# No ball moves as far as this, m, while balls are set apart: that many overlaps of 2 micrometres take 4 mm.
+_REACH = 0.005
+# How many pairs of balls are looked at while they are set apart, and how many of them a look at the cushions takes.
+_WORK = 300_000
+_WALL = 10
+_LONGEST_ID = 40
 
 RANGES: dict[str, Knob] = {
     "x": Knob(0.0, -100.0, 100.0, "m", "place along the table"),
@@ -33,6 +42,14 @@ RANGES: dict[str, Knob] = {
 }
 
 
+def check_id(name: object, source: str, key: str) -> str:
+    """A ball's id; raises InputError for one that nobody could read or tell from another."""
+    if not isinstance(name, str) or not name.isprintable() or name.strip() != name or not 0 < len(name) <= _LONGEST_ID:
+        allowed = f"allowed is a text of printable characters, not empty, up to {_LONGEST_ID}, no blanks around it"
+        raise InputError(source, key, name, allowed)
+    return name
+
+
 def settle(table: Table, layout: Layout) -> Layout:
     """The layout with its balls exactly where they may stand.
 
@@ -40,18 +57,16 @@ def settle(table: Table, layout: Layout) -> Layout:
     for balls that overlap by more than rounding, or that cannot be set apart.
     """
     given = sorted(layout.on_table())
+    if len(given) > MOST_BALLS:
+        raise InputError(table.source, "balls", len(given), f"allowed are up to {MOST_BALLS} balls")
     gaps = [_check(table, ball) for ball in given]
-    largest = max((2.0 * table.body_of(ball)[0] for ball in given), default=0.0)
-    close = [(a, b) for i, b in enumerate(given) for a in given[:i] if abs(a.x - b.x) < largest > abs(a.y - b.y)]
-    overlaps = [_overlap(table, a, b) for a, b in close]
-    if all(gap >= -CLOSE for gap in gaps) and all(overlap <= CLOSE for overlap in overlaps):
-        return layout
-    balls = list(given)
-    # Setting one pair apart presses the next; a rack settles in some tens of rounds.
-    for _ in range(ROUNDS):
-        if not _set_apart(table, balls):
-            return layout.put(*(ball for ball, old in zip(balls, given, strict=True) if ball is not old))
-    raise InputError(table.source, "balls", [ball.id for ball in given], "the balls overlap and have no room to part")
+    close: list[list[int]] = []
+    apart = all(gap >= -CLOSE for gap in gaps)
+    for ball, near in zip(given, _neighbours(table, given), strict=True):
+        close.append(near)
+        for other in near:
+            apart &= _overlap(table, given[other], ball) <= CLOSE
+    return layout if apart else layout.put(*_set_apart(table, given, close))
 
 
 def mirrored(table: Table, layout: Layout, ends: bool = False) -> Layout:
@@ -108,22 +123,66 @@ def _overlap(table: Table, a: Ball, b: Ball) -> float:
     return overlap
 
 
-def _set_apart(table: Table, balls: list[Ball]) -> bool:
-    """Move balls out of what they were drawn a hair into, once round; whether any had to move."""
-    found = False
+def _neighbours(table: Table, balls: Sequence[Ball]) -> Iterator[list[int]]:
+    """For each ball the earlier ones that it may come to touch while balls are set apart, by their places."""
+    cell = _REACH + max((2.0 * table.body_of(ball)[0] for ball in balls), default=0.0)
+    cells: dict[tuple[int, int], list[int]] = {}
     for i, ball in enumerate(balls):
-        gap, element = table.element_gap(ball.x, ball.y, table.body_of(ball)[0])
-        if gap < -CLOSE and element is not None and not isinstance(element, Pocket):
-            nx, ny = element.normal(ball.x, ball.y)
-            balls[i] = ball = ball._replace(x=ball.x + gap * nx, y=ball.y + gap * ny)
-            found = True
-        for j, other in enumerate(balls[:i]):
-            touch = table.touch(ball, other)
-            dx, dy = ball.x - other.x, ball.y - other.y
-            if abs(dx) >= touch or abs(dy) >= touch or (overlap := touch - math.hypot(dx, dy)) <= CLOSE:
-                continue
-            share = 0.5 * overlap / (touch - overlap)
-            balls[i] = ball = ball._replace(x=ball.x + share * dx, y=ball.y + share * dy)
-            balls[j] = other._replace(x=other.x - share * dx, y=other.y - share * dy)
-            found = True
-    return found
+        column, row = int(ball.x // cell), int(ball.y // cell)
+        around = [(column + across, row + along) for across in (-1, 0, 1) for along in (-1, 0, 1)]
+        found = [other for place in around for other in cells.get(place, ())]
+        yield sorted(j for j in found if abs(ball.x - balls[j].x) < cell > abs(ball.y - balls[j].y))
+        cells.setdefault((column, row), []).append(i)
+
+
+def _set_apart(table: Table, given: Sequence[Ball], close: Sequence[Sequence[int]]) -> list[Ball]:
+    """The balls that had to move out of what they were drawn a hair into, where they are then.
+
+    Setting one pair apart presses the next; a rack settles in some tens of rounds. Raises InputError where
+    they have no room to part, or are so many that it would take too long.
+    """
+    x, y = [ball.x for ball in given], [ball.y for ball in given]
+    pairs = [[(j, table.touch(ball, given[j])) for j in close[i]] for i, ball in enumerate(given)]
+    walled = [_walled(table, ball) for ball in given]
+    rounds = min(ROUNDS, _WORK // (sum(map(len, pairs)) + _WALL * sum(walled) + 1))
+    for _ in range(rounds):
+        found = False
+        for i, ball in enumerate(given):
+            found |= walled[i] and _out_of_the_wall(table, ball, x, y, i)
+            for j, touch in pairs[i]:
+                found |= _part(x, y, i, j, touch)
+        if not found:
+            return [ball._replace(x=x[i], y=y[i]) for i, ball in enumerate(given) if (x[i], y[i]) != (ball.x, ball.y)]
+    ids = [ball.id for ball in given]
+    what = "have no room to part" if rounds == ROUNDS else f"are too many, {len(ids)}, to be set apart; leave them room"
+    raise InputError(table.source, "balls", ids, f"the balls overlap and {what}")
+
+
+def _walled(table: Table, ball: Ball) -> bool:
+    """Whether a cushion is so near that the ball may be pressed into it."""
+    far = table.body_of(ball)[0] + _REACH
+    return bool(table.near(ball.x - far, ball.y - far, ball.x + far, ball.y + far))
+
+
+def _out_of_the_wall(table: Table, ball: Ball, x: list[float], y: list[float], i: int) -> bool:
+    """Move ball number i out of the cushion that it was drawn into; whether it had to move."""
+    gap, element = table.element_gap(x[i], y[i], table.body_of(ball)[0])
+    if gap >= -CLOSE or element is None or isinstance(element, Pocket):
+        return False
+    nx, ny = element.normal(x[i], y[i])
+    x[i] += gap * nx
+    y[i] += gap * ny
+    return True
+
+
+def _part(x: list[float], y: list[float], i: int, j: int, touch: float) -> bool:
+    """Move two balls, each by a half, to where they touch; whether they had to move."""
+    dx, dy = x[i] - x[j], y[i] - y[j]
+    if abs(dx) >= touch or abs(dy) >= touch or (overlap := touch - math.hypot(dx, dy)) <= CLOSE:
+        return False
+    share = 0.5 * overlap / (touch - overlap)
+    x[i] += share * dx
+    y[i] += share * dy
+    x[j] -= share * dx
+    y[j] -= share * dy
+    return True

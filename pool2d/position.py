@@ -24,11 +24,11 @@ from urllib.parse import quote, unquote
 
 from .errors import InputError
 from .physics.values import POCKETED, RESTING, Ball, Layout, Shot
-from .placing import RANGES
+from .placing import MOST_BALLS, RANGES, check_id
 from .table import Table
 
 # Longer than any layout; reading stops there.
-_LONGEST = 20_000
+_LONGEST = 200_000
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
 _SHOT = ("angle", "speed", "side", "height", "elevation")
 _ALLOWED = "allowed are a table, knob=value, ball@x,y and one ball:angle,speed"
@@ -82,14 +82,16 @@ def read(text: str, source: str = "position") -> Position:
     for word in words:
         name, sign, rest = re.match(r"([^@:=]*)([@:=]?)(.*)", word, re.DOTALL).groups()  # type: ignore[union-attr]
         name = _plain(name, word, source)
+        if len(balls) >= MOST_BALLS:
+            raise InputError(source, "word", word, f"allowed are up to {MOST_BALLS} balls")
         if sign == "@" and name not in balls:
             balls[name] = _ball(name, rest, word, source)
-        elif sign == "=":
+        elif sign == "=" and name not in knobs:
             knobs[name] = float(rest) if _NUMBER.fullmatch(rest) else _plain(rest, word, source)
         elif sign == ":" and shot is None:
             shot = _shot(name, rest, word, source)
         else:
-            twice = {"@": "this ball is there already", ":": "there is a shot already"}
+            twice = {"@": "this ball is there already", ":": "there is a shot already", "=": "this knob is set already"}
             raise InputError(source, "word", word, twice.get(sign, _ALLOWED))
     return Position(Layout(balls.values()), shot, table, tuple(conditions), knobs)
 
@@ -118,6 +120,7 @@ def _ball(name: str, text: str, word: str, source: str) -> Ball:
             raise InputError(source, "word", word, "allowed is ball@x,y and then r and a radius, m and a mass")
         own[key] = _number(part[1:], key, word, source)
     phase = POCKETED if text.endswith("!") else RESTING
+    check_id(name, source, f"ball in {word}")
     return Ball(name, _number(x, "x", word, source), _number(y, "y", word, source), phase=phase, **own)
 
 

@@ -23,6 +23,9 @@ from .table import Knobs, Table
 
 _GROUPS = tuple(dict.fromkeys(name.partition(".")[0] for name, _, _ in walk(Knobs()) if "." in name))
 _PLAIN = ("name", "base", "gravity", "outline")
+# Far more than anybody builds on each other; each is read.
+_MOST_BASES = 20
+_LONGEST_TITLE = 80
 _CONDITIONS = ("cloth", "ball", "cushion")
 
 
@@ -120,6 +123,7 @@ def read_preset(name: str, conditions: Sequence[str] = ()) -> Preset:
 def condition_title(name: str) -> str:
     """The title of conditions; raises InputError."""
     data = read_toml(catalogue.find(catalogue.CONDITIONS, name))
+    _check(data, name, ("name", *_CONDITIONS), ("name",))
     return str(data.get("name", name))
 
 
@@ -136,8 +140,9 @@ def save_preset(name: str, base: str, overrides: Mapping[str, float | str], titl
     and for what no table can be built of; nothing is written then.
     """
     path = catalogue.own_path(catalogue.TABLES, name)
-    if not title.isprintable():
-        raise InputError("save", "title", title, "allowed is a text of printable characters")
+    if not title.isprintable() or len(title) > _LONGEST_TITLE:
+        allowed = f"allowed is a text of up to {_LONGEST_TITLE} printable characters"
+        raise InputError("save", "title", title, allowed)
     load_table(base, overrides)
     chain, below = _chain(base), _same(preset_path(base), path)
     if not below and any(_same(preset_path(source), path) for source, _ in chain):
@@ -173,6 +178,8 @@ def _chain(name: str) -> list[tuple[str, dict[str, Any]]]:
             return chain
         path = _base_path(base, source, path)
         source = str(path) if base.endswith(".toml") else base
+        if len(chain) > _MOST_BASES:
+            raise InputError(chain[-1][0], "base", base, f"allowed are up to {_MOST_BASES} bases below each other")
         if any(_same(path, other) for other in seen):
             raise InputError(chain[-1][0], "base", base, "allowed is none that builds on this file itself")
 
@@ -213,8 +220,9 @@ def _check(data: Mapping[str, Any], source: str, known: Sequence[str], plain: Se
         if key not in plain and not isinstance(value, dict):
             raise InputError(source, key, value, "allowed is a section of keys and values")
     title = data.get("name", "")
-    if not isinstance(title, str):
-        raise InputError(source, "name", title, "allowed is a text")
+    if not isinstance(title, str) or not title.isprintable() or len(title) > _LONGEST_TITLE:
+        allowed = f"allowed is a text of up to {_LONGEST_TITLE} characters on one line"
+        raise InputError(source, "name", title, allowed)
     if isinstance(data.get("gravity"), dict):
         raise InputError(source, "gravity", data["gravity"], "allowed is a number")
 

@@ -11,11 +11,11 @@ from typing import Any
 from .errors import InputError, suggest
 from .physics.rollout import Rollout
 from .physics.simulate import simulate
-from .physics.values import MOTION_FIELDS, Ball, Layout, Shot
-from .placing import RANGES
+from .physics.values import MOTION_FIELDS, SHOT_RANGES, Ball, Layout, Shot
+from .placing import MOST_BALLS, RANGES, check_id
 from .position import Position
 from .position import read as read_position
-from .preset import load_table
+from .preset import load_table, read_preset
 from .reader import read_json, read_toml
 from .table import Table
 
@@ -94,6 +94,9 @@ def _scenario(
     if name.endswith(".toml") and not Path(name).is_absolute():
         beside = Path(source).parent / name
         name = str(beside) if os.path.isfile(beside) else name  # unlike Path.is_file, False for any odd name
+    if position.table not in ("", name):
+        # It is overruled, but has to be one.
+        read_preset(position.table)
     own = data.get("set", {})
     if not isinstance(own, dict):
         raise InputError(source, "set", own, "allowed is a section of dotted knob names and values")
@@ -101,9 +104,13 @@ def _scenario(
     if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
         raise InputError(source, "conditions", given, "allowed is a list of names")
     table = load_table(name, {**position.set, **own, **overrides}, (*position.conditions, *given, *conditions))
+    if not any(key in data for key in ("table", "position", "balls")):
+        raise InputError(source, "", None, "an empty scenario; needed are balls, or a position")
     entries = data.get("balls", [])
-    if not isinstance(entries, list):
-        raise InputError(source, "balls", entries, "allowed is a list of balls")
+    if not isinstance(entries, list) or (not entries and "balls" in data and not position.layout):
+        raise InputError(source, "balls", entries, "allowed is a list of balls, one or more")
+    if len(entries) > MOST_BALLS:
+        raise InputError(source, "balls", len(entries), f"allowed are up to {MOST_BALLS} balls")
     balls = dict(position.layout)
     for number, entry in enumerate(entries):
         ball = _ball(entry, source, f"balls[{number}]")
@@ -120,9 +127,7 @@ def _ball(entry: Any, source: str, key: str) -> Ball:
     if not isinstance(entry, dict):
         raise InputError(source, key, entry, "allowed is a ball: " + ", ".join(_BALL_KEYS))
     _known(entry, _BALL_KEYS, source, key + ".")
-    name = entry.get("id")
-    if not isinstance(name, str) or not name or not name.isprintable():
-        raise InputError(source, f"{key}.id", name, "allowed is a text of printable characters, not empty")
+    name = check_id(entry.get("id"), source, f"{key}.id")
     for needed in ("x", "y"):
         if needed not in entry:
             raise InputError(source, f"{key}.{needed}", None, f"missing; needed is {RANGES[needed].allowed()}")
@@ -140,6 +145,9 @@ def _shot(entry: Any, layout: Layout, source: str) -> Shot:
         right = isinstance(value, str) if key == "ball" else type(value) in (int, float)
         if not right:
             raise InputError(source, f"shot.{key}", value, f"allowed is a {'ball' if key == 'ball' else 'number'}")
+    if "speed" not in entry:
+        low, high, unit = SHOT_RANGES["speed"]
+        raise InputError(source, "shot.speed", None, f"missing; needed is a number from {low:g} to {high:g}{unit}")
     shot = Shot(**entry)
     shot.check(source)
     _on(shot, layout, source)

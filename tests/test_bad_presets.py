@@ -192,6 +192,38 @@ def test_a_ring_of_bases(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     )
 
 
+def test_a_long_chain_of_bases_ends(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for number in range(400):
+        (tmp_path / f"{number}.toml").write_text(f"base = '{number + 1}.toml'")
+    said = one_line(tmp_path / "0.toml", capsys)
+    assert "20.toml: base = '21.toml': allowed are up to 20 bases below each other" in said
+    (tmp_path / "20.toml").write_text("")
+    load_table(tmp_path / "0.toml")
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("\n".join(f"[racks.r{i}]" for i in range(30_000)), "too large; allowed are 256 KiB"),
+        ("[racks]\n" + "\n".join(f"r{i}={{}}" for i in range(20_000)), "racks = 20000: allowed are up to 250 names"),
+        ("[balls]\n" + "\n".join(f"g{i}=[]" for i in range(16_000)), "balls = 16000: allowed are up to 250 names"),
+        ("[marks.spots]\n" + "\n".join(f"s{i}=[0,0]" for i in range(251)), "marks.spots = 251: allowed are up to 250"),
+        (f"name = '{'x' * 50_000}'", "allowed is a text of up to 80 characters on one line"),
+        ('name = "two\\nlines"', "name = 'two\\nlines': allowed is a text of up to 80 characters on one line"),
+        (f"[balls]\nred = ['{'x' * 41}']", "allowed is a text of printable characters, not empty, up to 40"),
+        (f"[balls]\n{'x' * 41} = []", "allowed is a name of up to 40 printable characters"),
+        ("[balls]\nred = [' ']", "balls = ' ': allowed is a text of printable characters"),
+        (RACK + f"rows = {[[]] * 130}", "allowed is a list of rows of slots, up to 120"),
+    ],
+)
+def test_more_than_any_table_has_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str, words: str
+) -> None:
+    path = tmp_path / "bad.toml"
+    path.write_text(content)
+    assert words in one_line(path, capsys)
+
+
 def test_what_is_wrong_in_a_base_is_said_of_the_base(tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text("base = 'sub/b.toml'\n[cloth]\nmu_roll = 0.02")
     (tmp_path / "sub").mkdir()

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+import random
 import re
+from typing import Any
 
 import pytest
 
-from pool2d import Ball, InputError, Layout, load_table, simulate
+from pool2d import Ball, InputError, Layout, load_table, placing, simulate
 from pool2d.physics.values import POCKETED
+from pool2d.placing import CLOSE, ROUNDS
 
 from .checks import assert_sound
 
@@ -92,3 +95,71 @@ def test_balls_that_may_not_be_there(balls: list[Ball], words: str) -> None:
     assert re.search(words, str(caught.value))
     with pytest.raises(InputError):
         simulate(TABLE, Layout(balls))
+
+
+def grid(columns: int, rows: int, pitch: float, radius: float) -> list[Ball]:
+    """Balls beside and above each other on the cloth, `pitch` apart."""
+    places = [(0.1 + i * pitch, 0.1 + j * pitch) for i in range(columns) for j in range(rows)]
+    return [Ball(f"{number:04}", x, y, radius=radius) for number, (x, y) in enumerate(places)]
+
+
+def by_all_pairs(balls: list[Ball], touch: float) -> list[Ball]:
+    """Balls set apart by looking at every pair in every round, clear of the cushions."""
+    balls = sorted(balls)
+    for _ in range(ROUNDS):
+        found = False
+        for i in range(len(balls)):
+            for j in range(i):
+                dx, dy = balls[i].x - balls[j].x, balls[i].y - balls[j].y
+                if (lap := touch - math.hypot(dx, dy)) > CLOSE:
+                    share = 0.5 * lap / (touch - lap)
+                    balls[i] = balls[i]._replace(x=balls[i].x + share * dx, y=balls[i].y + share * dy)
+                    balls[j] = balls[j]._replace(x=balls[j].x - share * dx, y=balls[j].y - share * dy)
+                    found = True
+        if not found:
+            break
+    return balls
+
+
+def test_only_neighbours_are_looked_at_and_nothing_is_missed() -> None:
+    """To the bit what comes of looking at all pairs, wherever the ids are in their order."""
+    table, rng = load_table("pool-9ft"), random.Random(4)
+    for _ in range(10):
+        balls = grid(
+            rng.randint(1, 5), rng.randint(2, 5), 2.0 * table.knobs.ball.radius - 1e-6, table.knobs.ball.radius
+        )
+        ids = [ball.id for ball in balls]
+        rng.shuffle(ids)
+        off = [rng.uniform(-4e-7, 4e-7) for _ in balls]
+        balls = [b._replace(id=name, x=b.x + d, y=b.y - d) for b, name, d in zip(balls, ids, off, strict=True)]
+        settled = table.settle(Layout(balls))
+        assert sorted(settled.values()) == by_all_pairs(balls, 2.0 * math.sqrt(RADIUS * RADIUS))
+
+
+def test_a_thousand_balls_have_a_place() -> None:
+    table = load_table("pool-9ft")
+    balls = grid(48, 22, 0.0485, 0.024)
+    assert len(balls) >= 1024
+    assert table.settle(Layout(balls)) == Layout(balls)
+
+
+def test_more_balls_than_allowed_are_refused() -> None:
+    table = load_table("pool-9ft", {"cushion.nose_height": 0.015})
+    with pytest.raises(InputError, match="balls = 2001: allowed are up to 2000 balls"):
+        table.settle(Layout(grid(69, 29, 0.0305, 0.015)))
+
+
+def test_three_hundred_balls_drawn_into_each_other_end_soon(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Set apart or told, after a bounded number of looks."""
+    table, looks = load_table("pool-9ft"), 0
+    part = placing._part
+
+    def counted(*given: Any) -> bool:
+        nonlocal looks
+        looks += 1
+        return part(*given)
+
+    monkeypatch.setattr(placing, "_part", counted)
+    with pytest.raises(InputError, match="the balls overlap and are too many, 300, to be set apart; leave them room"):
+        table.settle(Layout(grid(20, 15, 0.048 - 1e-6, 0.024)))
+    assert looks <= 300_000

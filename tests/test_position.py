@@ -102,7 +102,7 @@ def test_it_is_short_and_plain() -> None:
         ("@1,1", "a name is missing"),
         ("%ff@1,1", "a name is missing or cannot be read"),
         ("%0a@1,1", "a name is missing or cannot be read"),
-        ("x" * 30_000, "longer than 20000 characters"),
+        ("x" * 300_000, "longer than 200000 characters"),
     ],
 )
 def test_what_is_wrong_is_told(text: str, words: str) -> None:

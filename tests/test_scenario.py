@@ -66,11 +66,11 @@ def test_toml_and_json_say_the_same(tmp_path: Path) -> None:
     assert len(toml.simulate(events=3).events) == 3
 
 
-def test_everything_has_a_default(tmp_path: Path) -> None:
-    bare = load_scenario(write(tmp_path, ""))
-    assert (bare.table.source, len(bare.layout), bare.shot) == ("pool-9ft", 0, None)
-    shot = load_scenario(write(tmp_path, '[[balls]]\nid = "cue"\nx = 0.6\ny = 0.6\n[shot]')).shot
-    assert shot == Shot()
+def test_everything_but_balls_and_speed_has_a_default(tmp_path: Path) -> None:
+    bare = load_scenario(write(tmp_path, 'table = "pool-8ft"'))
+    assert (bare.table.source, len(bare.layout), bare.shot) == ("pool-8ft", 0, None)
+    shot = load_scenario(write(tmp_path, '[[balls]]\nid = "cue"\nx = 0.6\ny = 0.6\n[shot]\nspeed = 2')).shot
+    assert shot == Shot(speed=2)
 
 
 def test_overrides_go_on_top_of_the_files_own(tmp_path: Path) -> None:
@@ -109,6 +109,14 @@ HUGE = "9" * 400
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
+        ("speed = 3.0\n", "", "shot.speed = None: missing; needed is a number from 0 to 50 m/s"),
+        (
+            'id = "cue"',
+            'id = "  "',
+            "balls[0].id = '  ': allowed is a text of printable characters, not empty, up to 40",
+        ),
+        ('id = "cue"', 'id = " a"', "balls[0].id = ' a': allowed is a text"),
+        ('id = "cue"', f'id = "{"x" * 41}"', "balls[0].id = 'xxx"),
         ('table = "pool-9ft"', "tabel = 1", "tabel = 1: unknown; did you mean table?"),
         ('table = "pool-9ft"', "table = 1", "table = 1: allowed is a preset's name or a path"),
         ('table = "pool-9ft"', 'table = "pool-9"', "table = 'pool-9': unknown; did you mean pool-9ft?"),
@@ -157,6 +165,23 @@ def test_bad_scenarios_are_told_in_one_line(tmp_path: Path, old: str, new: str, 
 @pytest.mark.parametrize(
     ("name", "content", "words"),
     [
+        ("a.toml", b"", "an empty scenario; needed are balls, or a position"),
+        ("a.json", b"{}", "an empty scenario; needed are balls, or a position"),
+        ("a.toml", b"set = {}", "an empty scenario; needed are balls, or a position"),
+        ("a.toml", b"balls = []", "balls = []: allowed is a list of balls, one or more"),
+        ("a.toml", b"table = 'pool-9ft'\nposition = 'nosuch cue@1,0.5'", "table = 'nosuch': unknown; known are"),
+        ("a.toml", b"position = 'a%20@1,1'", "ball in a%20@1,1 = 'a ': allowed is a text"),
+        (
+            "a.toml",
+            b"position = 'cloth.mu_roll=0.02 cloth.mu_roll=0.02 cue@1,1'",
+            "word = 'cloth.mu_roll=0.02': this",
+        ),
+        (
+            "a.json",
+            b'{"balls": [{"id": "a", "id": "b", "x": 1, "y": 1}]}',
+            "not a JSON file: the key 'id' is there twice",
+        ),
+        ("a.json", b'{"balls": [' + b",".join([b"0"] * 8000) + b"]}", "balls = 8000: allowed are up to 2000 balls"),
         ("a.toml", b"x = = 1", "not a TOML file: "),
         ("a.toml", b"\xff", "not a TOML file: "),
         ("a.toml", b"x = " + b"9" * 5000, "not a TOML file: "),

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from ..errors import InputError, suggest
 from ..physics.values import Layout, Shot
-from ..position import read, read_shot, write, write_shot
+from ..position import Position, read, read_shot, write, write_shot
 from .report import Call
 from .rules import Choice
 
@@ -81,8 +81,10 @@ def from_dict(data: Mapping[str, Any], source: str) -> Action:
     if do == "concede":
         return Concede(_of(data, "player", int, source))
     if do == "arrange":
-        text = _of(data, "position", str, source)
-        return Arrange(read(text, source).layout if text else Layout())
+        position = read(text, source) if (text := _of(data, "position", str, source)) else Position()
+        if position != Position(position.layout):
+            raise InputError(source, "position", text, "allowed are balls alone")
+        return Arrange(position.layout)
     if do in ("next", "stalemate"):
         return NextFrame() if do == "next" else Stalemate()
     raise InputError(source, "do", do, suggest(str(do), _DOES))

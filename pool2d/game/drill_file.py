@@ -40,7 +40,8 @@ from ..errors import InputError, suggest
 from ..files import write_text
 from ..folders import data_folder
 from ..physics.values import Layout
-from ..position import read, read_shot
+from ..placing import RANGES
+from ..position import Position, read, read_shot
 from ..reader import read_json, read_toml
 from ..scenario import scenario_of
 from ..table import Table
@@ -49,6 +50,8 @@ from .drills import ANY, Drill, Rest, Step, Wording
 _BEST = "best.json"
 _KEYS = ("name", "text", "position", "steps", "pass", "tries", "solution")
 _WORDING_KEYS = ("name", "text")
+_LONGEST = {"name": 80, "text": 1000}
+_MOST_STEPS = 100
 _LANGUAGE = re.compile("[a-z]{2}")
 _STEP_KEYS = (
     "position", "pot", "least", "pocket", "first", "hits", "rails", "banks", "driven", "clear", "via",
@@ -72,8 +75,8 @@ def load(name: str) -> Drill:
     position = read(_of(data, "position", str, source, ""), source)
     scenario = scenario_of(position)
     entries = _of(data, "steps", list, source, "")
-    if not entries:
-        raise InputError(source, "steps", entries, "allowed is one step or more")
+    if not 1 <= len(entries) <= _MOST_STEPS:
+        raise InputError(source, "steps", entries, f"allowed is one step or more, up to {_MOST_STEPS}")
     table = scenario.table
     steps = tuple(_step(entry, table, f"steps[{i}].", source) for i, entry in enumerate(entries))
     _check_balls(steps, scenario.layout, table, source)
@@ -105,7 +108,16 @@ def _translated(data: Mapping[str, Any], language: str, source: str, own: Wordin
 
 
 def _wording(data: Mapping[str, Any], source: str, prefix: str, default: Wording) -> Wording:
-    return Wording(*(_of(data, key, str, source, prefix, default[i]) for i, key in enumerate(_WORDING_KEYS)))
+    return Wording(*(_words(data, key, source, prefix, default[i]) for i, key in enumerate(_WORDING_KEYS)))
+
+
+def _words(data: Mapping[str, Any], key: str, source: str, prefix: str, default: str) -> str:
+    """A text that the window can show, on one line however the file breaks it."""
+    words = " ".join(str(_of(data, key, str, source, prefix, default)).split())
+    most = _LONGEST[key]
+    if not words.isprintable() or len(words) > most:
+        raise InputError(source, prefix + key, words, f"allowed is a text of up to {most} printable characters")
+    return words
 
 
 def _step(data: Any, table: Table, key: str, source: str) -> Step:
@@ -144,6 +156,8 @@ def _layout(text: str, table: Table, key: str, source: str) -> Layout | None:
     position = read(text, source)
     if position.table not in ("", table.source):
         raise InputError(source, key + "position", text, f"allowed is the table of the drill, {table.source}")
+    if position != Position(position.layout, table=position.table):
+        raise InputError(source, key + "position", text, "allowed are balls alone; the table is the drill's")
     try:
         return table.settle(position.layout)
     except InputError as error:
@@ -183,6 +197,8 @@ def _rest(data: Any, key: str, source: str) -> Rest:
             pair = data[name]
             if not (isinstance(pair, list) and len(pair) == 2 and all(type(one) in (int, float) for one in pair)):
                 raise InputError(source, f"{key}.{name}", pair, "allowed are two numbers, m")
+            for one in pair:
+                RANGES["x"].check(one, source, f"{key}.{name}")
             if name != "at" and not pair[0] <= pair[1]:
                 raise InputError(source, f"{key}.{name}", pair, "allowed are a number and one that is not less, m")
             pairs[name] = (float(pair[0]), float(pair[1]))
