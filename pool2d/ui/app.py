@@ -19,6 +19,7 @@ from .dialog import Dialog, ground
 from .drill_shelf import DrillShelf
 from .effects import effects_of, style_of
 from .help import Help
+from .keyboard import KEYBOARD
 from .keys import KEYS, Presses, action_of
 from .lobby import Lobby
 from .menu import Menu
@@ -58,6 +59,8 @@ class App:
         self.size = size
         pygame.key.set_repeat(300, 30)
         self._presses = Presses()
+        KEYBOARD.read()
+        KEYS.lay()
         self._caption = ""
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
@@ -99,7 +102,7 @@ class App:
         A window that rests is not drawn again until an event comes, or `redraw` is called.
         """
         came, self._came = self._came, []
-        for event in [*came, *pygame.event.get()]:
+        for event in map(KEYS.understood, [*came, *pygame.event.get()]):
             if self._presses.idle(event):
                 continue
             self.redraw()

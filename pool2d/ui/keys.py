@@ -8,6 +8,7 @@ import pygame
 
 from ..errors import InputError
 from . import words
+from .keyboard import KEYBOARD
 
 # A chord is a key's code, plus this where Ctrl is held.
 CTRL = 1 << 27
@@ -109,6 +110,10 @@ HANDS = (
     "put",
 )
 
+# These lie around the left hand, and go by their places where the letters there mean nothing else: on a French keyboard
+# they are Z, Q, S and D.
+_PLACED = ("spin_up", "spin_left", "spin_down", "spin_right", "lower", "raise")
+
 # What goes back and what only changes other keys cannot be bound; nor can going back be bound to another key.
 FIXED = ("cancel",)
 _RESERVED = (
@@ -118,10 +123,34 @@ _RESERVED = (
 
 
 class Keymap:
-    """Which chords do what: the defaults, with what the player has bound in their place."""
+    """Which chords do what: the defaults, with what the player has bound in their place.
+
+    `defaults` are those for the player's keyboard.
+    """
 
     def __init__(self) -> None:
+        self.defaults = dict(DEFAULTS)
         self.chords = dict(DEFAULTS)
+
+    def lay(self) -> None:
+        """Go by the keyboard as it is now."""
+        before, self.defaults = self.defaults, _defaults()
+        for action in _PLACED:
+            if self.chords[action] == before[action]:
+                self.chords[action] = self.defaults[action]
+
+    def understood(self, event: pygame.event.Event) -> pygame.event.Event:
+        """An event as it is meant: a key of another alphabet is the one of ours in its place."""
+        if event.type == pygame.KEYMAPCHANGED:
+            KEYBOARD.read()
+            self.lay()
+        if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
+            return event
+        place = getattr(event, "scancode", 0)
+        if KEYBOARD.saw(event.key, place):
+            self.lay()
+        key = KEYBOARD.meant(event.key, place, bound=self.owner(event.key) is not None)
+        return event if key == event.key else pygame.event.Event(event.type, {**event.dict, "key": key})
 
     def action_of(self, key: int, mod: int) -> str | None:
         """The action bound to a key, if any. With Ctrl held, a key that means nothing more means the same."""
@@ -141,7 +170,7 @@ class Keymap:
     def reset(self, *actions: str) -> None:
         """Give actions their own chords back, from whatever has them."""
         for action in actions or tuple(DEFAULTS):
-            self.bind(action, *DEFAULTS[action])
+            self.bind(action, *self.defaults[action])
 
     def shown(self, *actions: str) -> str:
         """The keys of actions, as people call them."""
@@ -154,7 +183,7 @@ class Keymap:
         return {
             action: [_name(chord) for chord in chords]
             for action, chords in self.chords.items()
-            if chords != DEFAULTS[action]
+            if chords != self.defaults[action]
         }
 
     def take(self, names: Mapping[str, tuple[str, ...]], source: str) -> list[InputError]:
@@ -162,7 +191,7 @@ class Keymap:
 
         A wrong entry leaves its action with its default.
         """
-        self.chords = dict(DEFAULTS)
+        self.chords = dict(self.defaults)
         wrong = []
         taken: set[int] = set()
         for action, said in names.items():
@@ -174,6 +203,15 @@ class Keymap:
             else:
                 wrong.append(InputError(source, f"keys.{action}", list(said), words.say("options.keys.unknown")))
         return wrong
+
+
+def _defaults() -> dict[str, tuple[int, ...]]:
+    """The defaults for the player's keyboard."""
+    placed = {action: KEYBOARD.codes[DEFAULTS[action][0]] for action in _PLACED}
+    others = {chord for action, chords in DEFAULTS.items() if action not in _PLACED for chord in chords}
+    if not KEYBOARD.latin or others & set(placed.values()):
+        return dict(DEFAULTS)
+    return {**DEFAULTS, **{action: (key,) for action, key in placed.items()}}
 
 
 KEYS = Keymap()
@@ -213,7 +251,8 @@ def rows() -> list[tuple[str, ...]]:
 
 
 def _shown(chord: int) -> str:
-    name = _plain(chord)
+    given = KEYBOARD.given(chord & ~CTRL)
+    name = chr(given) if given != chord & ~CTRL else _plain(chord)
     text = name.replace(" ", "_")
     if words.known(f"key.{text}"):
         said = words.say(f"key.{text}")

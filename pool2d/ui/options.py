@@ -125,7 +125,7 @@ class KeyRow(Widget):
         super().__init__()
         self.action = action
         self.changed = changed
-        self.hint = say("options.keys.hint", keys=shown(*DEFAULTS[action]))
+        self.hint = say("options.keys.hint", keys=shown(*KEYS.defaults[action]))
         self.told = ""
         self._wanted = 0
 

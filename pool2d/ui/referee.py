@@ -11,6 +11,7 @@ from . import pen, rulings, telling, theme
 from .calls import Calls
 from .form import Form
 from .hud import Screen
+from .keyboard import digit_of
 from .keys import KEYS, action_of
 from .view import View
 from .widgets import Button, Toggle, Widget
@@ -51,7 +52,7 @@ class Referee:
             return False
         if event.type != pygame.KEYDOWN:
             return self.form.handle(event)
-        number: int = event.key - pygame.K_1
+        number = digit_of(event.key) - 1
         if 0 <= number < len(self.form.widgets):
             self.form.widgets[number].key(pygame.K_SPACE, 0)
             return True
