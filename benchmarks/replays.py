@@ -17,8 +17,9 @@ from multiprocessing import Pool
 from pathlib import Path
 
 from pool2d.game.match import Match
-from pool2d.game.record import digest, load, verify
+from pool2d.game.record import digest, load
 from pool2d.game.recorder import record, resume
+from pool2d.game.replaying import verify
 from pool2d.game.rules import GAMES
 from tests.random_play import new_match, random_action
 

@@ -6,22 +6,37 @@ from pathlib import Path
 
 from . import terminal
 from .errors import InputError
-from .game.record import Record, Take, load, takes, verify
+from .game.record import CHANGED, GONE, Record, load
+from .game.replaying import BY_RECORD, Take, divergences, takes
 
 # Pictures of a film per second: a GIF counts in hundredths.
 _RATE = 25
 
 
+# What is said of the table of a record, by what has become of its preset.
+_TABLES = {
+    "": "",
+    CHANGED: "; on the table as it was then: its preset has changed since",
+    GONE: "; on the table as it was then: its preset is not there any more",
+}
+
+
 def check(path: Path) -> int:
-    """Play a record through the engine; print that it is as recorded, or where it first is not and return 1."""
+    """Play a record through the engine; print that it is as recorded, or where it first is not and return 1.
+
+    Where the record itself has been changed, that is told before all else.
+    """
     record = load(path)
-    found = verify(record)
-    if found is not None:
-        terminal.tell(f"{path}: line {found.line}: {found.what}")
-        return 1
-    strokes = sum(entry.data["do"] == "stroke" for entry in record.entries)
-    terminal.tell(f"{path}: as recorded: {strokes} strokes, {len(record.entries)} lines")
-    return 0
+    found = list(divergences(record))
+    if not found:
+        strokes = sum(entry.data["do"] == "stroke" for entry in record.entries)
+        table = _TABLES[record.outdated]
+        terminal.tell(f"{path}: as recorded: {strokes} strokes, {len(record.entries)} lines{table}")
+        return 0
+    first = next((one for one in found if one.why == BY_RECORD), found[0])
+    more = f" (and {len(found) - 1} lines more)" if len(found) > 1 else ""
+    terminal.tell(f"{path}: line {first.line}: {first}{more}")
+    return 1
 
 
 def take_of(record: Record, number: int | None) -> Take:
@@ -40,7 +55,7 @@ def to_png(path: Path, folder: Path, number: int | None, size: tuple[int, int]) 
 
     take = take_of(load(path), number)
     count = film.to_png(take.match.table, take.rollout, folder, f"shot-{take.number:03d}", size, _RATE)
-    terminal.tell(f"{folder}: {count} pictures of shot {take.number}, {_RATE} a second")
+    terminal.tell(f"{folder}: {count} pictures of shot {take.number}, {_RATE} a second{_otherwise(take)}")
     return 0
 
 
@@ -51,7 +66,7 @@ def to_gif(path: Path, out: Path, number: int | None, size: tuple[int, int]) -> 
     pictures.check_path(out, moving=True)
     take = take_of(load(path), number)
     film.to_gif(take.match.table, take.rollout, out, size, _RATE)
-    terminal.tell(f"{out}: shot {take.number}")
+    terminal.tell(f"{out}: shot {take.number}{_otherwise(take)}")
     return 0
 
 
@@ -68,5 +83,10 @@ def tell(path: Path) -> int:
 
     for take in takes(load(path)):
         notes = " ".join(say(note, take.match.names) for note in take.moment.ruling.notes)
-        terminal.tell(f"{take.number:4}  {notes}")
+        terminal.tell(f"{take.number:4}  {notes}{_otherwise(take)}")
     return 0
+
+
+def _otherwise(take: Take) -> str:
+    """What is said of a stroke that would come out otherwise now."""
+    return "" if take.found is None else f" ({take.found})"

@@ -17,7 +17,7 @@ LAYERS = {
     "pool2d.physics": 1,
     "pool2d.outline": 2, "pool2d.geometry": 2, "pool2d.racks": 2, "pool2d.placing": 2, "pool2d.table": 2,
     "pool2d.assets": 2, "pool2d.reader": 2, "pool2d.files": 2, "pool2d.catalogue": 2, "pool2d.furnish": 2,
-    "pool2d.preset": 2, "pool2d.folders": 2, "pool2d.settings": 2, "pool2d.position": 2,
+    "pool2d.preset": 2, "pool2d.table_data": 2, "pool2d.folders": 2, "pool2d.settings": 2, "pool2d.position": 2,
     "pool2d.scenario": 2, "pool2d": 2,
     "pool2d.game": 3,
     "pool2d.ui": 4,

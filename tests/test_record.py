@@ -19,8 +19,9 @@ from pool2d import InputError, Shot, load_table
 from pool2d.cli import main
 from pool2d.game.actions import Concede, Stroke
 from pool2d.game.match import Match
-from pool2d.game.record import Divergence, load, matches_folder, restored, seal, takes, verify
+from pool2d.game.record import load, matches_folder, seal
 from pool2d.game.recorder import Recorder, record, records, remove, resume, unfinished
+from pool2d.game.replaying import BY_RECORD, Divergence, restored, takes, verify
 from pool2d.game.rules import GAMES
 from pool2d.game.setup import Setup, setup_of
 
@@ -92,7 +93,7 @@ def test_what_was_undone_stays() -> None:
     assert [take.line for take in seen] == [2, 4]
     assert [take.moment.action for take in seen] == [Stroke(Shot(10.0, 1.0)), Stroke(Shot(20.0, 1.0))]
     assert seen[0].moment.rollout is not None
-    assert len(restored(kept).history) == 2
+    assert len(restored(kept).match.history) == 2
 
 
 def test_unfinished_matches_are_offered_the_latest_first(tmp_path: Path) -> None:
@@ -203,8 +204,9 @@ def test_a_change_with_good_sums_diverges(good: bytes, tmp_path: Path, capsys: p
         path.write_bytes(sealed(header, *lines))
         found = verify(load(path))
         assert found is not None
+        assert found.why == BY_RECORD
         before = path.read_bytes()
-        with pytest.raises(InputError, match=f"line {found.line}: .*has changed since"):
+        with pytest.raises(InputError, match=f"line {found.line}: .*the record has been changed since"):
             resume(path)
         assert path.read_bytes() == before
         return found
@@ -217,9 +219,9 @@ def test_a_change_with_good_sums_diverges(good: bytes, tmp_path: Path, capsys: p
         takes(load(path))
     assert "is refused" in diverges(first, do="redo").what
     assert "is refused" in diverges(first, do="jump").what
-    assert diverges({**first, "state": "0"}) == Divergence(1, "the balls do not start as recorded")
+    assert diverges({**first, "state": "0"}) == Divergence(1, "the balls do not start as recorded", BY_RECORD)
     assert main(["replay", str(path), "--verify"]) == 1
-    assert capsys.readouterr().out == f"{path}: line 1: the balls do not start as recorded\n"
+    assert capsys.readouterr().out.startswith(f"{path}: line 1: the balls do not start as recorded; what played it is")
 
 
 @pytest.mark.parametrize(

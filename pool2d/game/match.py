@@ -139,6 +139,14 @@ class Match:
         self._past.append(self._future.pop())
         return True
 
+    def accept(self, moment: Moment, instead: bool = False) -> None:
+        """Go on to a moment that is known from elsewhere, as from a record; with `instead` in place of the present."""
+        if instead:
+            self._past[-1] = moment
+        else:
+            self._past.append(moment)
+            self._future.clear()
+
     def change_table(self, table: Table) -> None:
         """Go on with other parameters; raises InputError, changing nothing, where the balls do not fit.
 
@@ -221,10 +229,14 @@ class Match:
         ruling = self.rules.start(breaker, self._seed(now.frame + 1))
         return Moment(ruling, now.tallies, breaker, now.frame + 1, action=NextFrame())
 
+    def rules_of(self, lag: bool) -> Rules[Any]:
+        """The rules of the game, or of the lag before it."""
+        return self._lag if lag else self.rules
+
     @property
     def _judge(self) -> Rules[Any]:
-        """The rules that hold at the moment: those of the game, or of the lag before it."""
-        return self._lag if lagged(self.state) else self.rules
+        """The rules that hold at the moment."""
+        return self.rules_of(lagged(self.state))
 
     @cached_property
     def _lag(self) -> Lag:

@@ -9,25 +9,35 @@ import time
 from pathlib import Path
 
 from ..errors import InputError
+from . import engine
 from .actions import Action
+from .engine import Identity
 from .match import Match, Moment
-from .record import ENDING, REDO, UNDO, body_of, header, load, matches_folder, restored, seal
+from .record import ENDING, ENGINE, REDO, UNDO, body_of, header, load, matches_folder, seal
+from .replaying import restored
 
 
 class Recorder:
     """A match and the file it is written to.
 
     Where the disk refuses a line, `fault` says so, the file is left with the lines it has, and the match
-    goes on without.
+    goes on without. `changes` are the reasons (`replaying.REASONS`) for which it would have come out otherwise now,
+    and `outdated` is what has become of its table's preset (`Record.outdated`).
     """
 
-    def __init__(self, match: Match, path: Path, file: int, lines: int, total: str) -> None:
+    def __init__(
+        self, match: Match, path: Path, file: int, lines: int = 0, total: str = "", played_by: Identity | None = None
+    ) -> None:
         self.match = match
         self.path = path
         self.fault: InputError | None = None
+        self.changes: tuple[str, ...] = ()
+        self.outdated = ""
         self._file = file
         self._lines = lines
         self._sum = total
+        # What played the lines so far, as the record tells it.
+        self._played_by = played_by
 
     @property
     def begun(self) -> bool:
@@ -70,6 +80,8 @@ class Recorder:
         """Append a line and wait until it is on the disk."""
         if self._file < 0:
             return
+        if self._played_by != engine.identity():
+            body[ENGINE] = list(engine.identity())
         line, total = seal({"n": self._lines, **body}, self._sum)
         # Until it is known there is nothing to go back to, and a negative size is refused.
         size = -1
@@ -87,6 +99,7 @@ class Recorder:
             return
         self._lines += 1
         self._sum = total
+        self._played_by = engine.identity()
 
 
 def record(match: Match, path: Path | None = None) -> Recorder:
@@ -95,7 +108,7 @@ def record(match: Match, path: Path | None = None) -> Recorder:
     Raises InputError where it cannot be written, or is there already; nothing is left behind then.
     """
     file, given = _created(match, path)
-    recorder = Recorder(match, given, file, 0, "")
+    recorder = Recorder(match, given, file)
     try:
         _lock(file, given)
     except InputError:
@@ -114,8 +127,9 @@ def record(match: Match, path: Path | None = None) -> Recorder:
 def resume(path: Path) -> Recorder:
     """Go on with a match where its record ends; a line that a kill has cut off is dropped.
 
-    Raises InputError, the file being left as it is, where it is not a good record, does not play as recorded
-    or is being played elsewhere.
+    It stands as it was recorded, on the table that it had, though it may come out otherwise now. Raises InputError,
+    the file being left as it is, where it is not a good record or is being played elsewhere, and where it is of an
+    earlier version and does not play as recorded.
     """
     load(path, torn=True)
     try:
@@ -123,14 +137,16 @@ def resume(path: Path) -> Recorder:
         try:
             _lock(file, path)
             kept = load(path, torn=True)
-            match = restored(kept)
+            match, changes = restored(kept)
             os.ftruncate(file, kept.size)
         except BaseException:
             os.close(file)
             raise
     except OSError as error:
         raise InputError(str(path), "", None, f"cannot be written: {error.strerror}") from error
-    return Recorder(match, path, file, len(kept.entries) + 1, kept.sum)
+    recorder = Recorder(match, path, file, len(kept.entries) + 1, kept.sum, kept.played_by)
+    recorder.changes, recorder.outdated = changes, kept.outdated
+    return recorder
 
 
 def records() -> list[Path]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ..errors import InputError
-from .record import REDO, UNDO, Entry, Record, Take, strokes
+from .record import REDO, UNDO, Entry, Record
+from .replaying import Take, strokes
 
 
 class Reel:

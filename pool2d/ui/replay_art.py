@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import pygame
 
 from ..game.actions import Stroke
-from ..game.record import Take
 from ..game.reel import Reel
+from ..game.replaying import Take
 from ..game.report import Call
 from . import pen, play_art, rulings, scoreboard, shapes, text, theme, vectors
 from .debug import ScreenPen, draw_geometry

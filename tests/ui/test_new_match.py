@@ -9,7 +9,8 @@ import pygame
 import pytest
 
 from pool2d import load_table
-from pool2d.game.record import load, restored, verify
+from pool2d.game.record import load
+from pool2d.game.replaying import restored, verify
 from pool2d.game.rules import games_for
 from pool2d.game.session import PRACTICE
 from pool2d.settings import Store
@@ -104,7 +105,7 @@ def test_a_lag_decides_who_breaks_and_is_on_the_record(guest: Hand) -> None:
     session.leave()
     kept = load(recorder.path)
     assert verify(kept) is None
-    assert restored(kept).now.ruling == session.ruling
+    assert restored(kept).match.now.ruling == session.ruling
 
 
 def test_a_table_without_a_head_cushion_offers_no_lag(guest: Hand) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pygame
@@ -243,7 +244,7 @@ def test_a_record_that_no_longer_plays_is_shown_as_far_as_it_does(recorded: Path
     kept = load(recorded)
     broken = [entry._replace(data={**entry.data, "shot": "1:0.0,1.0"}) if entry.line == 6 else entry
               for entry in kept.entries]  # fmt: skip
-    reel = Reel(type(kept)(kept.path, kept.setup, kept.place, kept.start, tuple(broken), kept.size, kept.sum))
+    reel = Reel(replace(kept, entries=tuple(broken)))
     assert len(reel) == 4
     assert reel[3].number == len(reel) == 3
     assert reel.fault is not None
