@@ -13,6 +13,7 @@ from pool2d.game.report import Report
 from pool2d.game.rules import Choice, State
 from pool2d.game.rules.carom import cushions_before_last
 from pool2d.game.rules.spotting import put
+from pool2d.game.rules.straight_rail import StraightRail
 from pool2d.game.rules.three_cushion import ThreeCushion
 from pool2d.game.witness import read
 
@@ -146,3 +147,44 @@ def test_a_ball_that_leaves_a_corner_is_seen() -> None:
 def test_the_corners(x: float, y: float, corner: str) -> None:
     """Art. 52: 71 cm along the long cushion, 35.5 along the short; who lies on the line is in (53)."""
     assert corner_of(TABLE, x, y) == corner
+
+
+STRAIGHT: Any = StraightRail(TABLE)
+
+
+def test_who_touches_at_straight_rail_may_have_all_balls_spotted() -> None:
+    """Art. 27 (1), (4) (a): or play away; the starting position is in no corner."""
+    layout = STRAIGHT.start().layout
+    for ball, place in {"cue": (2.64, 0.1), "red": (2.7, 0.1), "yellow": (2.7, 0.25)}.items():
+        layout = put(layout, ball, place)
+    layout = put(layout, "cue", (2.7 - 0.0615, 0.1))
+    state = STRAIGHT.aim(replace(STRAIGHT.start().state, opening=False, shots=3), 0)
+    ruling = STRAIGHT.judge(state, layout, report("cue-red cue-yellow", start=layout))
+    assert (ruling.ask.kind, ruling.ask.who, ruling.ask.options, ruling.state.zone) == ("aim", 0, ("respot",), 2)
+    assert ruling.layout == layout
+    spotted = STRAIGHT.choose(ruling.state, ruling.layout, Choice("respot"))
+    assert where(spotted.layout) == {"cue": SPOTS["right"], "yellow": SPOTS["head"], "red": SPOTS["foot"]}
+    assert (spotted.ask.who, spotted.ask.options, spotted.state.zone) == (0, (), -1)
+
+
+@pytest.mark.parametrize(
+    ("shot", "words"),
+    [
+        ("", "No ball was met."),
+        ("cue-red cue|", "Only the red was met."),
+        ("cue-yellow", "Only the yellow was met."),
+        ("cue-red cue-yellow cue|", "No cushion before the second ball."),
+        ("cue-red cue| cue-yellow", "One cushion before the second ball."),
+        ("cue| cue-red cue| cue-yellow", "Two cushions before the second ball."),
+    ],
+)
+def test_a_missed_cannon_says_why(shot: str, words: str) -> None:
+    state = THREE.aim(replace(THREE.start().state, opening=False, shots=3), 0)
+    ruling = THREE.judge(state, THREE.start().layout, report(shot))
+    assert (ruling.notes[0].text, ruling.foul, ruling.ask.who) == (words, False, 1)
+
+
+def test_only_the_first_stroke_is_a_break() -> None:
+    start = THREE.start()
+    assert start.notes[-1].key == "break"
+    assert THREE.judge(start.state, start.layout, report("cue-red")).notes[-1].key == "turn"

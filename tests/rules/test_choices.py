@@ -71,3 +71,21 @@ def test_a_cue_ball_in_hand_behind_the_head_string_stays_there() -> None:
         rules.choose(start.state, start.layout, Choice("place", 0.7, 0.3))
     moved = rules.choose(start.state, start.layout, Choice("place", 0.2, 0.3))
     assert rules.choose(moved.state, moved.layout, Choice("place", 0.3, 0.3)).layout["cue"].x == 0.3
+
+
+@pytest.mark.parametrize(
+    ("name", "fouls", "options", "told"),
+    [
+        ("nine-ball", 1, "", True),
+        ("nine-ball", 0, "", False),
+        ("nine-ball", 1, ", option three_foul no", False),
+        ("ten-ball", 1, "", True),
+        ("straight", 1, "", True),
+        ("one-pocket", 1, "", True),
+    ],
+)
+def test_the_second_foul_in_a_row_is_told(name: str, fouls: int, options: str, told: bool) -> None:
+    """3.13: so that who is on two fouls knows of it."""
+    _, ruling = judged(name, Case("3.13", "", f"fouls {fouls}{options}", "", "cue|", ""))
+    assert ruling.foul
+    assert ("Second foul in a row by Player 1." in [note.text for note in ruling.notes]) is told

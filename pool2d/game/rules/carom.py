@@ -70,8 +70,8 @@ class Carom(Rules[CaromState]):
     def frozen(
         self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
     ) -> Ruling:
-        """What is offered to, or done for, a player whose cue ball touches others (art. 27)."""
-        raise NotImplementedError
+        """Art. 27 (1): the player may have touching balls spotted, or play away from them."""
+        return self.ruled(self.aim(state, who, "respot"), layout, *notes)
 
     def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
         """Who wins the lag says who breaks (art. 22)."""
@@ -109,8 +109,11 @@ class Carom(Rules[CaromState]):
         who = state.ask.who
         found = tuple(self.fouls(state, report))
         state = replace(state, shots=state.shots + 1, opening=False)
-        if found or not self.cannon(report) or not self.counts(report):
+        if found:
             return self._inning_over(state, layout, found)
+        if not self.cannon(report) or not self.counts(report):
+            ruling = self._inning_over(state, layout, ())
+            return ruling._replace(notes=(self.missed(report), *ruling.notes))
         change = points(who, 1)
         state = replace(added(state, change), run=state.run + 1)
         state = replace(state, best=changed(state.best, who, max(state.best[who], state.run)))
@@ -153,6 +156,11 @@ class Carom(Rules[CaromState]):
             yield Note("foul.into-rail")
         if state.opening and self.cannon(report) and self._before_red(report):
             yield Note("foul.not-red")
+
+    def missed(self, report: Report) -> Note:
+        """Why a stroke without foul was no point."""
+        met = _met(report)
+        return Note("missed.one", ball=self.spoken(met[0])) if met else Note("missed.none")
 
     def _before_red(self, report: Report) -> bool:
         """Whether the opening stroke met the other ball before the red, or a cushion."""

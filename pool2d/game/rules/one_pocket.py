@@ -78,7 +78,7 @@ class OnePocket(PoolRules[OnePocketState]):
             if gone(layout, report.cue):
                 neutral, theirs = (*theirs, *neutral), ()
             state = replace(state, owed=changed(state.owed, who, state.owed[who] + 1))
-            notes = (Note("owes", who),)
+            notes = (*self.second(state, who), Note("owes", who))
             if self.options.three_foul == "yes" and state.fouls[who] >= 3:
                 return self._told(before, self.ended(state, opponent), layout, Note("foul.three", who), fouls=fouls)
         held = changed(state.held, who, (*state.held[who], *mine))

@@ -74,6 +74,11 @@ class PoolRules(Rules[S]):
         """The state with a player's fouls in a row counted: a legal shot ends the row (3.13)."""
         return replace(state, fouls=changed(state.fouls, who, state.fouls[who] + 1 if foul else 0))
 
+    def second(self, state: S, who: int) -> tuple[Note, ...]:
+        """3.13: who has made two fouls in a row is told, where a third is punished."""
+        told = state.fouls[who] == 2 and getattr(self.options, "three_foul", "no") == "yes"
+        return (Note("second-foul", who),) if told else ()
+
 
 def driven(report: Report) -> int:
     """How many object balls were driven to a rail; falling or leaving counts (2.7)."""

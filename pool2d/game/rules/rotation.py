@@ -58,7 +58,8 @@ class Rotation(PoolRules[State]):
             state = self.to_choose(state, opponent, "play", "pass")
         else:
             state = self.after(state, layout, report, breaks)
-        return self.ruled(state, layout, fouls=fouls, spotted=spotted)
+        notes = self.second(state, who) if fouls else ()
+        return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted)
 
     def won(self, state: State, report: Report, breaks: bool) -> bool:
         """Whether a legal shot wins the rack."""

@@ -97,7 +97,8 @@ class Straight(PoolRules[StraightState]):
         layout, spotted = spot_balls(self.table, layout, (*report.potted, *report.off))
         in_hand = gone(layout, report.cue) or any(foul.key == "foul.stayed" for foul in fouls)
         state = self.next(added(state, change), layout, self.other(who), KITCHEN if in_hand else "")
-        return self.ruled(state, layout, *told(change), fouls=fouls, spotted=spotted, points=change)
+        notes = (*self.second(state, who), *told(change))
+        return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted, points=change)
 
     def _breaking_foul(self, state: StraightState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
         """7.10: two points off, no other foul counts; the opponent accepts or has the offender break again."""

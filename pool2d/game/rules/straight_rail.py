@@ -65,12 +65,11 @@ class StraightRail(Carom):
         found = {corner_of(self.table, ball.x, ball.y) for ball in layout.on_table() if ball.id != mine}
         return found.pop() if len(found) == 1 else ""
 
-    def frozen(
-        self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
-    ) -> Ruling:
-        """Art. 27 (1), (4) (a): the balls go back to the starting position."""
-        layout, spotted = self.spot(state, layout, who, touching)
-        return self.ruled(self.aim(state, who), layout, *notes, Note("respotted"), spotted=spotted)
+    def picked(self, state: CaromState, layout: Layout, key: str) -> Ruling:
+        """Art. 27 (1): the player of a ball that touches had all balls spotted, and so out of any corner."""
+        ruling = super().picked(state, layout, key)
+        now: CaromState = ruling.state  # type: ignore[assignment]
+        return ruling._replace(state=replace(now, zone=-1))
 
     def spot(
         self, state: CaromState, layout: Layout, who: int, balls: Collection[str]

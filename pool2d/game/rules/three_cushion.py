@@ -8,10 +8,12 @@ from collections.abc import Collection
 from ...outline import Point
 from ...physics.values import Layout
 from ..report import Report
-from .base import Ruling
 from .carom import RED, Carom, CaromState, cushions_before_last
 from .spotting import has_room, put
 from .words import Note
+
+# How many cushions a point needs before the second ball.
+CUSHIONS = 3
 
 
 class ThreeCushion(Carom):
@@ -22,13 +24,11 @@ class ThreeCushion(Carom):
     scored = True
 
     def counts(self, report: Report) -> bool:
-        return cushions_before_last(report) >= 3
+        return cushions_before_last(report) >= CUSHIONS
 
-    def frozen(
-        self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
-    ) -> Ruling:
-        """Art. 27 (1): the player may have the touching balls spotted, or play away from them."""
-        return self.ruled(self.aim(state, who, "respot"), layout, *notes)
+    def missed(self, report: Report) -> Note:
+        """How many cushions there were, where both balls were met."""
+        return Note(f"cushions.{cushions_before_last(report)}") if self.cannon(report) else super().missed(report)
 
     def spot(
         self, state: CaromState, layout: Layout, who: int, balls: Collection[str]

@@ -72,7 +72,12 @@ ENGLISH: dict[str, str] = {
     "last-miss": "after another miss of {player} the cue ball may be placed anywhere",
     "own-ball": "the ball that {player} struck has fallen, and counts",
     "no-finish": "{player} needs a cannon by three cushions to finish",
-    "respotted": "the balls are put on their spots",
+    "missed.none": "no ball was met",
+    "missed.one": "only the {ball} was met",
+    "cushions.0": "no cushion before the second ball",
+    "cushions.1": "one cushion before the second ball",
+    "cushions.2": "two cushions before the second ball",
+    "second-foul": "second foul in a row by {player}",
     "last-inning": "{player} has the last inning, from the starting position",
     # The lag.
     "lag.turn": "{player} lags: off the far (foot) cushion and back, as near to the head cushion as can be",
