@@ -12,7 +12,7 @@ class Reel:
 
     `grow` works out one more, so that a long match opens at once. Where the record no longer plays as it says,
     `fault` tells so, and the strokes before are all there are. `undone` are the lines of strokes that were taken
-    back for good.
+    back for good; `outdated` is what has become of the table's preset since (`Record.outdated`).
     """
 
     def __init__(self, record: Record) -> None:
@@ -20,6 +20,7 @@ class Reel:
         self.record = record
         self.fault: InputError | None = None
         self.undone = undone(record.entries)
+        self.outdated = record.outdated
         self.takes: list[Take] = []
         self._count: int = sum(entry.data["do"] == "stroke" for entry in record.entries)
         self._coming = strokes(record)

@@ -82,7 +82,7 @@ class App:
         self.store.listeners.append(self._apply)
         self._apply()
         self._take_keys()
-        self.lobby = Lobby(self.play, self.store, lambda said: self.toast(said, wrong=True))
+        self.lobby = Lobby(self.play, self.store, lambda said: self.toast(said, wrong=True), self.toast)
         self.scene: Scene | None = self.lobby.menu() if menu else self.play
         for error in self.store.complaints:
             self.toast(str(error), wrong=True)

@@ -31,13 +31,14 @@ from .words import say
 class Lobby:
     """Leads from one screen to the next; `play` is the table that all of them are shown over.
 
-    `tell` tells what went wrong.
+    `tell` tells what went wrong, `note` what is worth knowing.
     """
 
-    def __init__(self, play: Play, store: Store, tell: Callable[[str], None]) -> None:
+    def __init__(self, play: Play, store: Store, tell: Callable[[str], None], note: Callable[[str], None]) -> None:
         self.play = play
         self.store = store
         self.tell = tell
+        self.note = note
         self._told: InputError | None = None
         self._damaged: Path | None = None
         # What is practised, and how the cue is held there, while a match is played.
@@ -154,6 +155,10 @@ class Lobby:
 
     def _taken_up(self, path: Path) -> Scene:
         recorder = resume(path)
+        if recorder.outdated:
+            self.note(say(f"since.preset_{recorder.outdated}"))
+        for change in recorder.changes:
+            self.note(say("since.goes_on", why=say(f"since.{change}")))
         return self.begin(Session(recorder.match, recorder))
 
     def _new_match(self, menu: Scene) -> Scene:

@@ -8,7 +8,7 @@ import pygame
 
 from ..game.actions import Stroke
 from ..game.reel import Reel
-from ..game.replaying import Take
+from ..game.replaying import UNKNOWN, Take
 from ..game.report import Call
 from . import pen, play_art, rulings, scoreboard, shapes, text, theme, vectors
 from .debug import ScreenPen, draw_geometry
@@ -99,16 +99,27 @@ def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.C
 def caption(replay: Replay) -> tuple[str, bool]:
     """What there is to say of the moment shown, and whether something is wrong."""
     take, shown = replay.reel[replay.at], replay.playback
+    reel = replay.reel
     if not take.same:
-        return say("replay.differs"), True
+        return unlike(take), True
     if shown.ended:
-        said = [say("replay.undone")] if take.line in replay.reel.undone else []
+        said = [say("replay.undone")] if take.line in reel.undone else []
+        said += [say("replay.judged", why=say(f"since.{take.found.why}"))] if take.found is not None else []
         return " ".join([*said, rulings.verdict(take.moment, take.match)]), False
-    if shown.time <= 0.0:
-        return called(take), False
-    if replay.reel.fault is not None and replay.at + 1 == len(replay.reel):
-        return str(replay.reel.fault), True
+    if shown.time <= 0.0 and (said_before := called(take)):
+        return said_before, False
+    if reel.fault is not None and replay.at + 1 == len(reel):
+        return str(reel.fault), True
+    if reel.outdated and replay.at == 0:
+        return say(f"since.preset_{reel.outdated}"), False
     return "", False
+
+
+def unlike(take: Take) -> str:
+    """What is said of a shot that does not roll as it was recorded."""
+    if take.found is None or take.found.why == UNKNOWN:
+        return say("replay.differs")
+    return say("replay.unlike", why=say(f"since.{take.found.why}"))
 
 
 def line(reel: Reel, take: Take) -> str:

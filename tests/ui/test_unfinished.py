@@ -7,18 +7,24 @@ import os
 import pygame
 import pytest
 
-from pool2d import Shot, load_table
+from pool2d import Layout, Rollout, Shot, Table, load_table, simulate
+from pool2d.folders import data_folder
+from pool2d.game import engine, match
 from pool2d.game.actions import NextFrame
 from pool2d.game.record import load, matches_folder
 from pool2d.game.recorder import records, resume, unfinished
+from pool2d.game.reel import Reel
+from pool2d.game.replaying import restored
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
+from pool2d.ui import replay_art
 from pool2d.ui.app import App
 from pool2d.ui.drill_scene import DrillPlay
 from pool2d.ui.ended import FrameOver
 from pool2d.ui.menu import Menu
 from pool2d.ui.new_match import NewMatch
 from pool2d.ui.play import Play
+from pool2d.ui.replay_scene import Replay
 from pool2d.ui.replays import RecordShelf
 
 from .at_menu import choose, labels, left_match, left_matches, playing, shown
@@ -126,6 +132,76 @@ def test_an_unfinished_match_is_thrown_away_when_asked_twice() -> None:
     guest.key(pygame.K_RETURN)
     assert guest.play.session.match.setup.race == 3
     app.close()
+
+
+@pytest.mark.parametrize("lost", [True, False])
+def test_a_match_on_a_preset_that_has_changed_or_gone_is_continued_as_it_was_and_says_so(lost: bool) -> None:
+    preset = data_folder() / "tables" / "mine.toml"
+    preset.parent.mkdir(parents=True)
+    preset.write_text('name = "Mine"\nbase = "pool-8ft"\n[cloth]\nmu_roll = 0.012\n')
+    app = App(load_table("mine"), seed=3)
+    hand = Hand(app)
+    app.scene = app.lobby.begin(recorded(load_table("mine"), Setup("nine-ball", names=("Ann", "Bo"), breaker=0)))
+    hand.play.session.play(Shot(0.4, 8.0))
+    table, layout = hand.play.session.table, hand.play.session.layout
+    hand.post(pygame.QUIT)
+    app.close()
+    preset.unlink() if lost else preset.write_text('base = "pool-7ft"\n')
+
+    app = App(load_table("pool-9ft"), seed=3, menu=True)
+    guest = Hand(app)
+    choose(guest, "Continue")
+    assert [note.wrong for note in app.toasts.notes] == [False]
+    assert ("not there any more" if lost else "has changed since") in app.toasts.notes[0].words
+    session = guest.play.session
+    assert (session.table.knobs, session.table.title) == (table.knobs, "Mine")
+    assert session.layout == layout
+    guest.strike()
+    assert session.strokes == 2 or session.ask.kind == "place"
+    choose_menu = app.lobby.leave()
+    app.scene = choose_menu
+    app.step(0.0)
+    # The replay says so while its first shot runs.
+    shown_replay = Replay(Reel(load(records()[0])), app.scene)
+    assert "The table is as it was" in replay_art.caption(shown_replay)[0]
+    shown_replay.playback.leave()
+    assert "The table is as it was" not in replay_art.caption(shown_replay)[0]
+    app.close()
+
+
+def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
+    guest: Hand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left_match()
+    layout = restored(load(unfinished()[0])).match.layout
+    now = engine.identity()._replace(engine="later")
+    monkeypatch.setattr(engine, "identity", lambda: now)
+
+    def roll(table: Table, start: Layout, shot: Shot) -> Rollout:
+        return simulate(table.with_knobs({"cloth.mu_roll": 0.02}), start, shot)
+
+    monkeypatch.setattr(match, "simulate", roll)
+    guest.app.scene = guest.app.lobby.menu()
+    guest.app.step(0.0)
+    choose(guest, "Continue")
+    assert guest.play.session.layout == layout
+    notes = guest.app.toasts.notes
+    assert [note.wrong for note in notes] == [False] and "the engine has changed since" in notes[0].words
+    # What is seen again are the balls before the shot and after it.
+    guest.key(pygame.K_r)
+    shown_again = guest.play.playback
+    assert shown_again is not None and shown_again.rollout.layout() == layout
+    guest.app.step(0.5)
+    replay = Replay(Reel(load(unfinished()[0])), guest.play)
+    assert replay_art.caption(replay) == (
+        "Today this shot would roll otherwise: the engine has changed since."
+        " The balls are shown as recorded, before it and after it.",
+        True,
+    )
+    guest.app.scene = replay
+    while not replay.still:
+        guest.app.step(0.1)
+    assert replay.stage.keeper is not None and replay.playback.ended
 
 
 def told_at_start() -> list[str]:
