@@ -63,7 +63,8 @@ def _option(given: Given, words: list[str]) -> None:
 
 def _owes(given: Given, words: list[str]) -> None:
     mine, other = given.state.get("scores", (0, 0))
-    given.state.update(owed=(int(words[0]), 0), scores=(mine - int(words[0]), other))
+    owed = int(words[0]), int(words[1]) if len(words) > 1 else 0
+    given.state.update(owed=owed, scores=(mine - owed[0], other - owed[1]))
 
 
 # What may be given: "fouls 2" is what player 0 has, "holds 1 2 3 / 4" what each player has.

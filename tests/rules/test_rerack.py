@@ -18,6 +18,11 @@ SPOT = POOL.furniture.spots
 RADIUS = POOL.knobs.ball.radius
 
 
+def beside(radii: float, aside: float) -> tuple[float, float]:
+    """A place beside the head spot, so many ball radii along the table and across it."""
+    return SPOT["head"][0] + radii * RADIUS, SPOT["head"][1] + aside * RADIUS
+
+
 def left_over(cue: tuple[float, float], ball: tuple[float, float] | None) -> Layout:
     """A table with the cue ball, and the seven if it has a place."""
     layout = without(POOL.rack("straight-pool", 3), *(str(number) for number in range(1, 16)))
@@ -36,6 +41,16 @@ def left_over(cue: tuple[float, float], ball: tuple[float, float] | None) -> Lay
         pytest.param(HEAD, None, HEAD, None, "", id="the last ball fell, the cue ball on the head spot"),
         pytest.param(RACK, KITCHEN, SPOT["head"], KITCHEN, "", id="the cue ball in the rack, the ball in the kitchen"),
         pytest.param(RACK, HEAD, SPOT["center"], HEAD, "", id="... the ball on the head spot"),
+        pytest.param(RACK, SPOT["head"], SPOT["center"], SPOT["head"], "", id="... exactly on it, as a rerack puts it"),
+        pytest.param(RACK, beside(1.99, 0.0), SPOT["center"], beside(1.99, 0.0), "", id="... nearly a ball beyond it"),
+        pytest.param(RACK, beside(0.0, -1.99), SPOT["center"], beside(0.0, -1.99), "", id="... beside it"),
+        pytest.param(RACK, beside(-1.4, 1.4), SPOT["center"], beside(-1.4, 1.4), "", id="... behind it, aside"),
+        pytest.param(RACK, beside(-1.5, 1.5), SPOT["head"], beside(-1.5, 1.5), "", id="... behind it, out of the way"),
+        pytest.param(RACK, beside(2.01, 0.0), None, beside(2.01, 0.0), "kitchen", id="... beyond it, out of the way"),
+        pytest.param(
+            beside(1.9, 0.0), RACK, beside(1.9, 0.0), SPOT["center"], "", id="the cue ball beyond the head spot"
+        ),
+        pytest.param(beside(2.01, 0.0), RACK, beside(2.01, 0.0), SPOT["head"], "", id="... out of the way"),
         pytest.param(RACK, BELOW, None, BELOW, "kitchen", id="... the ball beyond the head string"),
         pytest.param(RACK, (0.635, 0.2), None, (0.635, 0.2), "kitchen", id="... the ball on the head string"),
     ],

@@ -1,4 +1,4 @@
-"""One-pocket by the rules of OnePocket.org, adopted 19 January 2005, which the BCA took over.
+"""One-pocket by the rules of OnePocket.org, adopted 9 October 2021, by the section numbers of those of 2005.
 
 Where these are silent, the WPA's general rules hold. Balls moved by hand, and handicaps beyond the
 number of balls to make, are left out.
@@ -90,7 +90,7 @@ class OnePocket(PoolRules[OnePocketState]):
         spotted: tuple[tuple[str, Point], ...] = ()
         if not mine or not self.on_table(layout):
             # Spotting comes at the end of an inning, or when the table is empty.
-            state, back = _due(state, who)
+            state, back = _due(state)
             layout, spotted = spot_balls(self.table, layout, back)
         where = KITCHEN if gone(layout, report.cue) else ""  # 6.3: after any other foul the balls lie as they are.
         state = self.next(state, layout, who if mine else opponent, where)
@@ -120,10 +120,15 @@ def foot(table: Table) -> tuple[str, str]:
     return low.name, high.name
 
 
-def _due(state: OnePocketState, who: int) -> tuple[OnePocketState, tuple[str, ...]]:
-    """What a player has to have spotted: the waiting balls, and of what he owes as many as he holds (6.4)."""
-    pay = min(state.owed[who], len(state.held[who]))
-    kept = len(state.held[who]) - pay
-    back = (*state.waiting, *state.held[who][kept:])
-    held = changed(state.held, who, state.held[who][:kept])
-    return replace(state, waiting=(), held=held, owed=changed(state.owed, who, state.owed[who] - pay)), back
+def _due(state: OnePocketState) -> tuple[OnePocketState, tuple[str, ...]]:
+    """What is spotted when an inning is over: the waiting balls, and of what each player owes as many as he holds.
+
+    Balls that the opponent has made for a debtor pay at the end of that inning, not of his own next one (6.4).
+    """
+    back, held, owed = state.waiting, state.held, state.owed
+    for player, balls in enumerate(state.held):
+        pay = min(owed[player], len(balls))
+        back = (*back, *balls[len(balls) - pay :])
+        held = changed(held, player, balls[: len(balls) - pay])
+        owed = changed(owed, player, owed[player] - pay)
+    return replace(state, waiting=(), held=held, owed=owed), back

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ...outline import Corner, Point, distance_to_edge, edges, inside
-from ...physics.values import POCKETED, Layout
+from ...physics.values import POCKETED, Ball, Layout
 from ...table import Table
 from .spotting import KITCHEN, put
 
@@ -26,7 +26,7 @@ def rerack(table: Table, layout: Layout, name: str, seed: int) -> tuple[Layout, 
         racked = _without_apex(table, rack, name, ball.id).put(cue, ball)
         if ball_in:
             return put(racked, ball.id, _free_spot(table, racked, cue.id)), ""
-        if cue_in and line is not None and ball.x < line:
+        if cue_in and (_on_head_spot(table, ball) or (line is not None and ball.x < line)):
             return put(racked, cue.id, _free_spot(table, racked, ball.id)), ""
     return (racked.put(cue._replace(phase=POCKETED)), KITCHEN) if cue_in else (racked, "")
 
@@ -55,7 +55,11 @@ def _without_apex(table: Table, rack: Layout, name: str, kept: str) -> Layout:
 def _free_spot(table: Table, layout: Layout, other: str) -> Point:
     """The head spot, or the centre spot where a ball blocks the head spot."""
     spots = table.furniture.spots
-    x, y = spots["head"]
-    if math.hypot(layout[other].x - x, layout[other].y - y) >= 2.0 * table.knobs.ball.radius:
-        return x, y
-    return spots.get("center", (0.5 * table.knobs.table.length, y))
+    if not _on_head_spot(table, layout[other]):
+        return spots["head"]
+    return spots.get("center", (0.5 * table.knobs.table.length, spots["head"][1]))
+
+
+def _on_head_spot(table: Table, ball: Ball) -> bool:
+    """Whether a ball leaves no room for another on the head spot, whichever side of it it lies on."""
+    return math.dist((ball.x, ball.y), table.furniture.spots["head"]) < 2.0 * table.knobs.ball.radius
