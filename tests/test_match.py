@@ -170,8 +170,8 @@ def test_a_ball_that_scores_nothing_is_no_run_where_points_count(table: Table) -
     seen = notation.report("cue-1 1>top-left 2| 3| cue|", "5>top-right")
     ruling = match.rules.judge(match.state, notation.without(match.layout, "1"), seen)
     assert not ruling.foul and ruling.points == (0, 0)
-    mine = after_stroke(match.now.tallies, 0, False, match.rules.scored, ruling, seen)[0]
-    assert (mine.pots, mine.run, mine.best) == (1, 0, 0)
+    mine = after_stroke(match.now.tallies, 0, False, match.rules, ruling, seen)[0]
+    assert (mine.pots, mine.run, mine.best) == (0, 0, 0)
 
 
 def test_practice_puts_balls_anywhere(table: Table) -> None:

@@ -203,7 +203,7 @@ class Match:
         ruling = self._judge.judge(now.state, rollout.layout(), report)
         if lagged(now.state):
             return Moment(ruling, now.tallies, now.breaker, now.frame, ask.who, stroke, rollout)
-        tallies = after_stroke(now.tallies, ask.who, now.shooter == ask.who, self.rules.scored, ruling, report)
+        tallies = after_stroke(now.tallies, ask.who, now.shooter == ask.who, self.rules, ruling, report)
         return self._moment(Moment(ruling, tallies, now.breaker, now.frame, ask.who, stroke, rollout, report))
 
     def _moment(self, moment: Moment) -> Moment:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 from .report import Report
-from .rules import Ruling
+from .rules import Rules, Ruling
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,8 +14,8 @@ class Tally:
     """One player's numbers.
 
     `innings` counts visits to the table. `run` is what the last strokes of the present visit have brought, in
-    points, or in balls where the game has no points; `best` the highest of the match. `pots` are balls pocketed
-    without a foul. `points` are those of all frames.
+    points, or in balls where the game has no points; `best` the highest of the match. `pots` are the balls that count
+    (`Rules.pots`). `points` are those of all frames.
     """
 
     frames: int = 0
@@ -28,12 +29,12 @@ class Tally:
 
 
 def after_stroke(
-    tallies: tuple[Tally, ...], who: int, again: bool, scored: bool, ruling: Ruling, report: Report
+    tallies: tuple[Tally, ...], who: int, again: bool, rules: Rules[Any], ruling: Ruling, report: Report
 ) -> tuple[Tally, ...]:
-    """The tallies after a stroke of player `who`; `again` where the visit goes on, `scored` where points count."""
+    """The tallies after a stroke of player `who`; `again` where the visit goes on."""
     mine = tallies[who]
-    pots = 0 if ruling.foul else len(report.potted)
-    counted = ruling.points[who] if scored else pots
+    pots = len(rules.pots(who, report, ruling))
+    counted = ruling.points[who] if rules.scored else pots
     run = (mine.run if again else 0) + counted if counted > 0 and not ruling.foul else 0
     mine = replace(
         mine,

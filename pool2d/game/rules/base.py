@@ -184,6 +184,16 @@ class Rules(Generic[S]):
         """What follows when a player gives the game up."""
         return self.ruled(self.ended(state, self.other(player)), layout, Note("concedes", player))
 
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """The balls of a stroke that count as potted by its player.
+
+        They stay down, and the stroke was no foul, and the player goes on or has won.
+        """
+        if ruling.foul or ruling.ask.who != who:
+            return ()
+        spotted = dict(ruling.spotted)
+        return tuple(ball for ball in report.potted if ball not in spotted)
+
     def state(self, data: Mapping[str, Any]) -> S:
         """A state from what `as_dict` made of it; raises InputError."""
         state: S = _read(self.state_type, data, f"state of {self.name}")

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from ...outline import Point
 from ...physics.values import POCKETED, Layout
 from ..report import BALL, Report
-from .base import Ruling, State
+from .base import AIM, Ruling, State
 from .pool import DRIVEN, PoolRules, changed, driven
 from .sight import sees, snookered
 from .spotting import KITCHEN, nearest, put
@@ -96,6 +96,11 @@ class EnglishEightBall(PoolRules[EnglishState]):
             return self.ruled(self.next(state, layout, who), layout, *notes)
         state = replace(state, trial=color)
         return self.ruled(self.next(state, layout, who), layout)
+
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """Not a ball that left the colours undecided, since it was not the one that had been chosen (H 2 c)."""
+        state: EnglishState = ruling.state  # type: ignore[assignment]
+        return () if state.open and ruling.ask.kind == AIM else super().pots(who, report, ruling)
 
     def fouls(self, state: EnglishState, report: Report, on: tuple[str, ...], nominated: str) -> Iterator[Note]:
         """K, N, R and S: the standard fouls, as far as they can be seen, and G: a shot that is not legal."""

@@ -96,6 +96,11 @@ class OnePocket(PoolRules[OnePocketState]):
         state = self.next(state, layout, who if mine else opponent, where)
         return self._told(before, state, layout, *notes, fouls=fouls, spotted=spotted)
 
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """Those in one's own pocket."""
+        state: OnePocketState = ruling.state  # type: ignore[assignment]
+        return () if ruling.foul else tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[who])
+
     def _told(self, before: OnePocketState, state: OnePocketState, layout: Layout, *notes: Note, **more: Any) -> Ruling:
         """A ruling with the scores worked out: the balls made, less those owed."""
         scores = tuple(len(held) - owed for held, owed in zip(state.held, state.owed, strict=True))

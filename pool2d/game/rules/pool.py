@@ -74,6 +74,14 @@ class PoolRules(Rules[S]):
         """The state with a player's fouls in a row counted: a legal shot ends the row (3.13)."""
         return replace(state, fouls=changed(state.fouls, who, state.fouls[who] + 1 if foul else 0))
 
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """Where a ball has to be called, only that one, but for the break; none where the balls may be racked again."""
+        found = super().pots(who, report, ruling)
+        again = not ruling.state.shots or "re-rack" in ruling.ask.options
+        if again or not self.call or ruling.state.shots == 1:
+            return () if again else found
+        return tuple(ball for ball in found if ball == report.called())
+
     def second(self, state: S, who: int) -> tuple[Note, ...]:
         """3.13: who has made two fouls in a row is told, where a third is punished."""
         told = state.fouls[who] == 2 and getattr(self.options, "three_foul", "no") == "yes"

@@ -139,6 +139,10 @@ class Snooker(Rules[SnookerState]):
         """Every foul of a stroke, the dearest first (3.10)."""
         return fouls(self.table, layout, report, aim)
 
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """Every ball that falls without a foul, for all that colours are spotted again."""
+        return () if ruling.foul else report.potted
+
     def conceded(self, state: SnookerState, layout: Layout, player: int) -> Ruling:
         """2.1 (a): only the striker may concede; raises InputError for the other player."""
         if player != state.ask.who:

@@ -70,6 +70,10 @@ class Straight(PoolRules[StraightState]):
             return self.broken_by(self.other(state.ask.who), state)
         return super().picked(state, layout, key)
 
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """7.4: with the ball called all count that fall with it."""
+        return report.potted if ruling.points[who] > 0 else ()
+
     def _scored(self, state: StraightState, layout: Layout, report: Report) -> Ruling:
         """7.4: the shooter goes on, at the target has won, and with one ball left has the others racked."""
         who = state.ask.who
