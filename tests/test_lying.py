@@ -9,8 +9,11 @@ from itertools import pairwise
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
+from pool2d.game.actions import Arrange, Stroke
 from pool2d.game.falls import DROP, ending, fallen, falling
 from pool2d.game.lying import Keeper, racked
+from pool2d.game.match import Match
+from pool2d.game.setup import Setup
 from pool2d.physics.turning import Quaternion, Turning, matrix, turn
 
 from .random_play import new_match, random_action
@@ -162,3 +165,19 @@ def test_a_match_seen_from_its_record_lies_as_it_did_when_it_was_played() -> Non
             assert late.lying(moment.rollout.layout(), moment.rollout) == seen
             last = moment
     assert seen.down
+
+
+def test_a_stroke_goes_on_from_the_last_whatever_was_shown_in_between() -> None:
+    match = Match(TABLE, Setup("practice"))
+    match.play(Arrange(Layout([Ball("cue", 0.6, 0.6), Ball("1", 1.2, 0.62)])))
+    before, first = match.now, match.play(Stroke(Shot(0.0, 2.0)))
+    second = match.play(Stroke(Shot(40.0, 1.0)))
+    assert first.rollout is not None and second.rollout is not None
+    keeper = Keeper()
+    keeper.follow(before, first.rollout, None)
+    wanted = keeper.lying(first.layout, first.rollout).lies
+    # Another shot is looked at before the next one is laid.
+    keeper.lying(simulate(TABLE, before.layout, Shot(90.0, 3.0)).start)
+    keeper.lying(before.layout, simulate(TABLE, before.layout, Shot(90.0, 3.0)))
+    keeper.follow(first, second.rollout, first)
+    assert near(keeper.lying(first.layout, second.rollout, 0.0).lies, wanted)

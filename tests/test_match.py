@@ -15,6 +15,7 @@ from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stalemate, 
 from pool2d.game.match import Match, Moment
 from pool2d.game.report import Call
 from pool2d.game.rules import GAMES, Choice
+from pool2d.game.session import Session
 from pool2d.game.setup import LOSER, WINNER, Setup, setup_of
 from pool2d.game.tally import after_stroke
 from pool2d.physics.values import POCKETED
@@ -294,3 +295,23 @@ def test_balls_that_grow_a_hair_too_large_are_set_apart_on_the_way_back() -> Non
     a, b = match.layout["cue"], match.layout["1"]
     assert b.y - a.y >= 2.0 * (radius + 4e-7) - 1e-9
     assert match.redo() and match.undo()
+
+
+def test_undo_and_redo_of_a_session_pass_over_placements() -> None:
+    session = Session(Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0)))
+    begun = session.match.now
+    # A cue ball that comes back without a hit is a foul, after which it may be placed.
+    session.play(Shot(180.0, 0.3))
+    fouled = session.match.now
+    assert session.ask.where == "anywhere"
+    assert session.place(0.5, 0.4) and session.place(0.5, 0.5)
+    placed = session.match.now
+    session.play(Shot(90.0, 0.3))
+    last = session.match.now
+    # Back to where the cue ball was put for the stroke, and from there past both places to before the one before.
+    assert session.undo() and session.match.now is placed
+    assert session.undo() and session.match.now is begun
+    assert not session.undo()
+    assert session.redo() and session.match.now is fouled
+    assert session.redo() and session.match.now is last
+    assert not session.redo()

@@ -466,6 +466,15 @@ def test_records_of_earlier_versions_open_and_verify(path: Path, game: str) -> N
         assert stands(again.match, after)
 
 
+def test_a_record_whose_first_stroke_cannot_be_played_is_none_to_look_at(path: Path) -> None:
+    with record(Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0)), path) as recorder:
+        recorder.play(Stroke(Shot(0.0, 3.0)))
+    lines = bodies(path)
+    lines[1]["shot"] = "1:0.0,3.0"
+    with pytest.raises(InputError, match="line 2: stroke is refused"):
+        Reel(rewrite(path, lines))
+
+
 def test_an_earlier_record_that_no_longer_plays_is_told_as_ever(path: Path, faster: Callable[[], None]) -> None:
     played(path)
     kept = rewrite(path, list(as_before(path)))

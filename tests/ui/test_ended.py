@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pygame
 import pytest
@@ -13,7 +14,8 @@ from pool2d.game.record import load
 from pool2d.game.recorder import unfinished
 from pool2d.game.session import Session, recorded
 from pool2d.game.setup import Setup
-from pool2d.ui.ended import FrameOver, MatchOver, potting, statistics
+from pool2d.ui import text
+from pool2d.ui.ended import FrameOver, Grid, MatchOver, potting, statistics
 from pool2d.ui.menu import Menu
 from pool2d.ui.play import Play
 from pool2d.ui.widgets import Button
@@ -146,3 +148,24 @@ def test_without_pockets_the_average_is_told(hand: Hand) -> None:
     session = playing(hand, race=1, game="straight-rail", table="carom-10ft")
     lines = {label for label, _, _ in statistics(session.match)}
     assert "Average" in lines and "Balls pocketed" not in lines
+
+
+def test_each_number_stands_on_the_side_of_its_player(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: dict[str, tuple[tuple[float, float], tuple[float, float]]] = {}
+    real = text.draw
+
+    def note(surface: pygame.Surface, words: str, size: int, color: object, at: Any, anchor: Any) -> pygame.Rect:
+        drawn[words] = at, anchor
+        return real(surface, words, size, color, at, anchor)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(text, "draw", note)
+    grid = Grid([("Fouls", "3", "5"), ("Innings", "7", "8")])
+    grid.rect = pygame.Rect(100, 50, 400, 80)
+    grid.draw(pygame.Surface((600, 200)), 10, False, False)
+    assert drawn["Fouls"] == ((300, 70.0), (0.5, 0.5))
+    (mine, _), (theirs, _) = drawn["3"], drawn["5"]
+    # As far from the edge on either side, on the line of what they are.
+    assert mine[1] == theirs[1] == 70.0 and drawn["7"][0][1] == 110.0
+    assert 100 < mine[0] < 200 and 400 < theirs[0] < 500
+    assert mine[0] - 100 == 500 - theirs[0]
+    assert drawn["3"][1] == drawn["5"][1] == (0.5, 0.5)

@@ -27,6 +27,7 @@ from pool2d.ui.entry import Entry
 from pool2d.ui.pick import Pick
 from pool2d.ui.replay_scene import PAUSE, Replay
 from pool2d.ui.replays import RecordShelf, open_replays
+from pool2d.ui.widgets import Heading
 from tests.random_play import new_match
 
 from .conftest import FRAME, Hand
@@ -271,3 +272,31 @@ def test_without_a_screen_the_command_says_so(
     monkeypatch.setattr(start, "open_window", lambda size, full: pygame.Surface(size))
     assert main(["replay", str(recorded)]) == 2
     assert "display: no screen was found" in capsys.readouterr().err
+
+
+def test_the_list_of_records_says_so_where_there_are_none(hand: Hand) -> None:
+    def heading() -> str:
+        shelf = open_replays(hand.play, hand.app.store, hand.app.sounds)
+        assert isinstance(shelf, RecordShelf)
+        told = next(widget for widget in shelf.form.widgets if isinstance(widget, Heading))
+        return told.words()
+
+    assert heading() == "No match has been recorded yet"
+    write(data_folder() / "matches" / "2001-02-03 nine-ball.jsonl")
+    assert heading() == "Matches that were recorded"
+
+
+def test_b_shows_the_geometry_of_the_table_over_a_replay(viewer: Viewer) -> None:
+    viewer.key(pygame.K_SPACE)
+
+    def picture() -> bytes:
+        viewer.replay.draw(viewer.app.surface)
+        return pygame.image.tobytes(viewer.app.surface, "RGB")
+
+    viewer.move((2, 300))
+    plain = picture()
+    assert picture() == plain
+    viewer.key(pygame.K_b)
+    assert picture() != plain
+    viewer.key(pygame.K_b)
+    assert picture() == plain

@@ -10,7 +10,7 @@ import pytest
 from pool2d import Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.folders import data_folder
 from pool2d.game import engine, match
-from pool2d.game.actions import NextFrame
+from pool2d.game.actions import NextFrame, Stalemate, Stroke
 from pool2d.game.record import load, matches_folder
 from pool2d.game.recorder import records, resume, unfinished
 from pool2d.game.reel import Reel
@@ -19,6 +19,7 @@ from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
 from pool2d.ui import replay_art
 from pool2d.ui.app import App
+from pool2d.ui.dialog import Confirm
 from pool2d.ui.drill_scene import DrillPlay
 from pool2d.ui.ended import FrameOver
 from pool2d.ui.menu import Menu
@@ -26,6 +27,7 @@ from pool2d.ui.new_match import NewMatch
 from pool2d.ui.play import Play
 from pool2d.ui.replay_scene import Replay
 from pool2d.ui.replays import RecordShelf
+from pool2d.ui.widgets import Button, Heading
 
 from .at_menu import choose, labels, left_match, left_matches, playing, shown
 from .conftest import Hand
@@ -274,6 +276,30 @@ def test_a_record_that_cannot_be_written_is_told_once(hand: Hand, monkeypatch: p
     hand.app.step(0.01)
     hand.app.step(0.01)
     assert [note.words.endswith("No space left on device") for note in hand.app.toasts.notes] == [True]
+
+
+def test_a_frame_is_begun_again_once_both_have_said_so(hand: Hand) -> None:
+    session = playing(hand)
+    session.play(Shot(speed=8.0))
+    racked = session.match.history[0].layout
+    for answer in ("Cancel", "Start the frame again"):
+        hand.app.scene = hand.app.lobby.pause()
+        hand.app.step(0.0)
+        choose(hand, "Start the frame again")
+        asked = hand.app.scene
+        assert isinstance(asked, Confirm)
+        headings = [widget.words() for widget in asked.form.widgets if isinstance(widget, Heading)]
+        assert headings == ["Do both players agree that the frame gets nowhere?"]
+        buttons = {widget.label: widget for widget in asked.form.widgets if isinstance(widget, Button)}
+        assert list(buttons) == ["Cancel", "Start the frame again"]
+        assert isinstance(session.match.now.action, Stroke)
+        hand.move(buttons[answer].rect.center)
+        hand.press()
+        hand.release()
+    assert hand.app.scene is hand.play
+    assert isinstance(session.match.now.action, Stalemate)
+    assert len(session.layout.on_table()) == len(racked.on_table())
+    assert "Ann" in hand.play.message
 
 
 def test_another_table_lets_go_of_the_record(hand: Hand) -> None:
