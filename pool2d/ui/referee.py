@@ -97,7 +97,7 @@ class Referee:
         said = [rulings.verdict(moment, session.match)]
         if ask.kind in (AIM, PLACE) and not session.free:
             said += self._on(ask)
-        if self.calls.pockets(session):
+        if self.calls.pockets(session) and not (self.calls.ball or self.calls.pocket):
             said.append(say("referee.may_call"))
         if ask.kind == AIM and ask.where and not any(note.key.startswith("in-hand") for note in moment.ruling.notes):
             said.append(say(f"referee.movable.{ask.where}"))

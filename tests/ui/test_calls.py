@@ -284,7 +284,9 @@ def test_a_call_is_said_in_the_bar_and_seen_on_the_table(hand: Hand) -> None:
     ball = session.table.knobs.ball.radius * view.scale + 3.0
     pocket = session.table.geometry.pockets[0].radius * view.scale
     assert ringed("9", ball) == ringed("top-right", pocket) == 0
+    assert "click the ball and then its pocket" in hand.play.referee.verdict(session)
     click(hand, *at(session, "9"))
+    assert "click the ball" not in hand.play.referee.verdict(session)
     assert "Called: 9. Now its pocket" in play_art.notes(hand.play, 2.0)
     click(hand, *at(session, "top-right"))
     hand.point(0.1, 0.1)
