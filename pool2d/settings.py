@@ -64,12 +64,24 @@ class Players:
 
 
 @dataclass(frozen=True, slots=True)
+class Match:
+    """What was agreed for the match before the next; names that stand for nothing any more are passed over."""
+
+    game: str = words("", 400, "the game, and the options of its rules as name=value")
+    table: str = words("", 400, "the table")
+    race: float = knob(1.0, 1.0, 99.0, "frames", "how many frames win the match")
+    breaker: float = knob(-1.0, -2.0, 1.0, "", "who breaks first: a player from 0, -1 a coin, -2 a lag")
+    breaks: str = words("", 40, "who breaks then")
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     aiming: Aiming = field(default_factory=Aiming)
     balls: Balls = field(default_factory=Balls)
     sound: Sound = field(default_factory=Sound)
     screen: Screen = field(default_factory=Screen)
     players: Players = field(default_factory=Players)
+    match: Match = field(default_factory=Match)
 
 
 class Store:

@@ -67,6 +67,7 @@ class Dialog:
         """This scene until it is done, then what follows; it may be come back to."""
         if not self.done:
             return self
+        self.form.let_go()
         after, self._after, self.done = self._after, self.below, False
         return after
 

@@ -10,7 +10,7 @@ import pygame
 from ..errors import BudgetError, InputError
 from ..game.drill_file import best, drills, keep, load
 from ..game.drilling import DrillSession
-from ..game.drills import Drill, Rest, judge, start
+from ..game.drills import Drill, Rest, Run, judge, start
 from ..physics.simulate import simulate
 from . import pen, rulings, stroke, theme
 from .aim import Aim
@@ -29,6 +29,8 @@ class DrillPlay(Play):
 
     def __init__(self, drill: Drill, home: Scene, play: Play) -> None:
         self.drilling = DrillSession(drill)
+        # The run before the stroke that was played last.
+        self._before = self.drilling.run
         super().__init__(self.drilling, play.sounds)
         self.home = home
         self.effects, self.level = play.effects, play.level
@@ -42,8 +44,14 @@ class DrillPlay(Play):
         self.told = self._goal
 
     @property
+    def seen(self) -> Run:
+        """The run as far as it has been seen: a shot that runs for the first time counts once the balls rest."""
+        first = self.playback is not None and not self.playback.again
+        return self._before if first else self.drilling.run
+
+    @property
     def titles(self) -> tuple[str, str]:
-        run = self.drilling.run
+        run = self.seen
         number = len(run.results) + (0 if run.standing.over else 1)
         parts = [say("drill.attempt", number=number, tries=run.drill.tries)]
         parts.append(say("drill.result", result=run.result, most=run.drill.most))
@@ -102,10 +110,10 @@ class DrillPlay(Play):
             super()._press(pos)
 
     def _strike(self, speed: float, drawn: bool = False) -> None:
-        before = self.drilling.run
+        self._before = self.drilling.run
         super()._strike(speed, drawn)
         run = self.drilling.run
-        if run is not before and run.standing.over and run.result:
+        if run is not self._before and run.standing.over and run.result:
             try:
                 keep(run.drill.id, run.result)
                 self.warning = ""
@@ -203,7 +211,7 @@ class DrillPlay(Play):
 
     def draw_marks(self, surface: pygame.Surface) -> bool:
         """The pocket that is called, and where balls have to come to rest."""
-        run = self.drilling.run
+        run = self.seen
         step = run.drill.steps[min(run.standing.done, len(run.drill.steps) - 1)]
         view = self.stage.view
         for rest in step.rest:

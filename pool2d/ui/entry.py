@@ -60,7 +60,8 @@ class Entry(Button):
             right = text.draw(surface, cross, large, color, (right, line), (1.0, 0.5)).left - unit
             self._cross = self.rect.right - right
         if self.note:
-            right = text.draw(surface, self.note, small, theme.ACCENT, (right, line), (1.0, 0.5)).left - unit
+            note = text.fitted(self.note, small, (right - box.left) // 2)
+            right = text.draw(surface, note, small, theme.ACCENT, (right, line), (1.0, 0.5)).left - unit
         room = right - box.left - unit
         text.draw(surface, text.fitted(self.label, large, room), large, theme.TEXT, (box.left + unit, line), (0.0, 0.5))
         if self.below:

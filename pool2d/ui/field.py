@@ -119,7 +119,9 @@ class TextField(Widget):
         first, last = (width(self.value[:at])[0] for at in self.selected)
         if focused and first != last:
             surface.fill(theme.SELECTED, (left + first, inner.top, last - first, inner.height))
-        text.draw(surface, self.value, size, theme.TEXT, (left, box.centery), (0.0, 0.5))
+        # What is typed in is seen around the cursor; left alone, that it goes on is told.
+        shown = self.value if focused else text.fitted(self.value, size, inner.width)
+        text.draw(surface, shown, size, theme.TEXT, (left if focused else inner.left, box.centery), (0.0, 0.5))
         if not self.value and not focused:
             text.draw(surface, self.instead, size, theme.QUIET, (inner.left, box.centery), (0.0, 0.5))
         if focused:

@@ -14,10 +14,10 @@ _HINT = 0.5
 class Form:
     """Widgets in rows, on a panel.
 
-    Tab and Shift+Tab (Up and Down too, where the widget has no use for them) move the focus, the wheel
-    scrolls, and so does dragging the mark that tells that there is more. A row may hold several widgets side
-    by side; Left and Right go along it. The ring around the focus is shown while it is moved by keys. Between the
-    widgets and the panel's edge there are `margin` units of the grid.
+    Tab and Shift+Tab (Up and Down too, where the widget has no use for them) move the focus, PageUp, PageDown, Home and
+    End go farther, the wheel scrolls, and so does dragging the mark that tells that there is more. A row may hold
+    several widgets side by side; Left and Right go along it. The ring around the focus is shown while it is moved
+    by keys. Between the widgets and the panel's edge there are `margin` units of the grid.
     """
 
     def __init__(self, rows: list[list[Widget]], margin: int = 2) -> None:
@@ -47,7 +47,8 @@ class Form:
         if self.focus not in self.widgets:
             there = self.widgets[at : at + 1]
             self.focus = next((widget for widget in there + self.widgets if widget.focusable), None)
-        self._held = self._held if self._held in self.widgets else None
+        if self._held is not None and self._held not in self.widgets:
+            self._held.held, self._held = False, None
         if self._hovered not in self.widgets:
             self._hovered = None
         if self.rect.width:
@@ -90,7 +91,15 @@ class Form:
         if event.type == pygame.MOUSEWHEEL and self._inside:
             self.scroll -= event.y * 4 * self.unit
             return True
+        if event.type == pygame.WINDOWFOCUSLOST:
+            self.let_go()
         return False
+
+    def let_go(self) -> None:
+        """Hold nothing any more, as if the button had gone up elsewhere: its going up may never be told."""
+        if self._held is not None:
+            self._held.held, self._held.pointer = False, None
+        self._held, self._pressed, self._scrolling = None, False, None
 
     def update(self, dt: float) -> None:
         self._rest += dt
@@ -187,6 +196,9 @@ class Form:
             back = key == pygame.K_UP or (key == pygame.K_TAB and bool(mod & pygame.KMOD_SHIFT))
             self._step(-1 if back else 1)
             return True
+        if key in (pygame.K_PAGEUP, pygame.K_PAGEDOWN, pygame.K_HOME, pygame.K_END):
+            self._leap(key)
+            return True
         return key in (pygame.K_LEFT, pygame.K_RIGHT) and self._step_aside(-1 if key == pygame.K_LEFT else 1)
 
     def _step(self, by: int) -> None:
@@ -196,6 +208,23 @@ class Form:
             at = stops.index(self.focus) if self.focus in stops else -by
             self.focus = stops[(at + by) % len(stops)]
             self._show(self.focus)
+
+    def _leap(self, key: int) -> None:
+        """Go to the first widget or the last, or about as far as is in sight."""
+        stops = [widget for widget in self.widgets if widget.focusable]
+        self.by_keys = True
+        if not stops:
+            return
+        if key in (pygame.K_HOME, pygame.K_END):
+            to = stops[0 if key == pygame.K_HOME else -1]
+        else:
+            page = self.rect.height * 3 // 4
+            here = (self.focus or stops[0]).rect.centery + (page if key == pygame.K_PAGEDOWN else -page)
+            to = min(stops, key=lambda widget: abs(widget.rect.centery - here))
+        if self.focus is not None and self.focus is not to:
+            self.focus.leave()
+        self.focus = to
+        self._show(to)
 
     def _step_aside(self, by: int) -> bool:
         """Go on to the next widget of the same row; whether there is one."""

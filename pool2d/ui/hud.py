@@ -152,11 +152,8 @@ def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: t
     """The message, in as many lines as it needs and the bar has; `taken` pixels of its room are not free."""
     box = screen.message
     box.width = max(1, box.width - taken)
-    lines = text.wrap(message, screen.small, box.width)
     pitch = text.font(screen.small).get_linesize()
-    room = max(1, box.height // pitch)
-    if len(lines) > room:
-        lines = (*lines[: room - 1], lines[room - 1] + " \N{HORIZONTAL ELLIPSIS}")
+    lines = text.in_lines(message, screen.small, box.width, max(1, box.height // pitch))
     y = box.centery - pitch * len(lines) / 2
     for line in lines:
         text.draw(surface, line, screen.small, color, (box.left, y))

@@ -175,10 +175,14 @@ class ListBox(Widget):
 
     def key(self, key: int, mod: int) -> bool:
         options = list(self.options())
-        if key not in (pygame.K_UP, pygame.K_DOWN) or not options:
+        steps = {
+            pygame.K_UP: -1, pygame.K_DOWN: 1, pygame.K_PAGEUP: 1 - self.lines, pygame.K_PAGEDOWN: self.lines - 1,
+            pygame.K_HOME: -len(options), pygame.K_END: len(options),
+        }  # fmt: skip
+        if key not in steps or not options:
             return False
         at = options.index(self.get()) if self.get() in options else -1
-        self.put(options[min(max(at + (1 if key == pygame.K_DOWN else -1), 0), len(options) - 1)])
+        self.put(options[min(max(at + steps[key], 0), len(options) - 1)])
         return True
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:

@@ -1,4 +1,4 @@
-"""What is agreed before a match: the table, the game and its options, the players, the race, who breaks."""
+"""What is agreed before a match: the game and its options, the table, the players, the race, who breaks."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import random
 from collections.abc import Callable
 
 from ..errors import InputError
-from ..game.rules import GAMES, games_for
+from ..game.rules import GAMES
 from ..game.rules.base import YES_NO
 from ..game.session import PRACTICE, Session, recorded
 from ..game.setup import BREAKS, COIN, LAG, Setup, can_lag
@@ -33,9 +33,10 @@ _SETTINGS = ("players.first", "players.second")
 
 
 class NewMatch(Dialog):
-    """Sets up a match and has it begin. What cannot be played is told, and nothing is lost.
+    """Sets up a match and has it begin: a game, and a table that it can be played on.
 
-    The names of the players are kept in `store`; `begin` leads to the match.
+    What cannot be played is told, and nothing is lost. All that is agreed is kept in `store`, and stands there the
+    next time; `begin` leads to the match.
     """
 
     width = 64
@@ -44,26 +45,46 @@ class NewMatch(Dialog):
         super().__init__(below, "", [])
         self.store = store
         self.begin = begin
-        self.table = table.source
-        self.game = ""
-        self.race = "1"
-        self.breaker = str(COIN)
-        self.breaks = BREAKS[0]
+        last = store.values.match
+        self.table = last.table or table.source
+        game, _, options = last.game.partition(" ")
+        self.game = game if game in self.games else ""
+        self.race = f"{last.race:g}" if f"{last.race:g}" in _RACES else "1"
+        self.breaker = f"{last.breaker:g}"
+        self.breaks = last.breaks if last.breaks in BREAKS else BREAKS[0]
         self.options: dict[str, float | str] = {}
+        # What went wrong with the last start.
         self.wrong = ""
+        self._errors: dict[str, str] = {}
         # A table that was tuned is one more to choose.
         self._tables: dict[str, Table | None] = {}
         if table.set or table.conditions:
             self._tables[TUNED] = table
         players = store.values.players
         self.fields = [_name_field(number, name) for number, name in enumerate(players.names)]
-        self._take_table(self.table)
+        if self.game:
+            self._take_game(self.game)
+            self.options = _understood(options, self.game)
+            self._lay_out()
+        else:
+            self._take_table(table.source)
 
     @property
     def games(self) -> list[str]:
-        """What can be played on the chosen table."""
-        table = self._loaded()
-        return [] if table is None else [name for name in games_for(table) if name != PRACTICE]
+        """What can be played."""
+        return [name for name in GAMES if name != PRACTICE]
+
+    @property
+    def tables(self) -> list[str]:
+        """What the chosen game can be played on; also what cannot be read, so that it can be told why."""
+        return [name for name in dict.fromkeys((*presets(), *self._tables)) if self._fits(name)]
+
+    @property
+    def barred(self) -> str:
+        """Why no match can start as it is set up; empty where one can."""
+        if self._loaded() is None:
+            return self._errors[self.table]
+        return "" if self.game and self._fits(self.table) else say("match.no_game")
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -76,8 +97,9 @@ class NewMatch(Dialog):
         for name, field in zip(_SETTINGS, self.fields, strict=True):
             self.store.turn(name, field.value.strip())
         table = self._loaded()
-        if table is None or not self.game:
+        if table is None or self.barred:
             return
+        self._keep()
         setup = Setup(
             self.game, self.options, self.names, int(self.race), self.breaks, int(self.breaker),
             random.randrange(1 << 30),
@@ -89,30 +111,81 @@ class NewMatch(Dialog):
             return
         self.go(self.begin(session))
 
+    def _keep(self) -> None:
+        """Let the next match be set up as this one; a table as it was tuned is gone by then."""
+        table = self._loaded()
+        agreed = {
+            "game": " ".join([self.game, *(f"{name}={value}" for name, value in self.options.items())]),
+            "table": table.source if table is not None else "",
+            "race": float(self.race),
+            "breaker": float(self.breaker),
+            "breaks": self.breaks,
+        }
+        for name, value in agreed.items():
+            self.store.turn(f"match.{name}", value)
+
     # What is on the panel.
 
     def _lay_out(self) -> None:
         options = self._option_widgets()
         breaks = Choice(
-            say("match.breaks"), lambda: BREAKS, lambda: self.breaks, self._take_breaks, "",
+            say("setting.match.breaks"), lambda: BREAKS, lambda: self.breaks, self._take_breaks,
+            say("setting.match.breaks_hint"),
             lambda name: say(f"match.breaks_by.{name}"),
         )  # fmt: skip
         self.form.set_rows(
             [
                 [Heading(lambda: say("match.title"), theme.TEXT, large=True)],
                 [Gap(0.2)],
-                [Choice(say("match.table"), self._all_tables, lambda: self.table, self._take_table, shown=self._title)],
-                [Choice(say("match.game"), lambda: self.games, lambda: self.game, self._take_game, shown=_game)],
+                [
+                    Choice(
+                        say("setting.match.game"),
+                        lambda: self.games,
+                        lambda: self.game,
+                        self._take_game,
+                        say("setting.match.game_hint"),
+                        _game,
+                    )
+                ],
+                [
+                    Choice(
+                        say("setting.match.table"),
+                        lambda: self.tables,
+                        lambda: self.table,
+                        self._take_table,
+                        shown=self._title,
+                    )
+                ],
                 [Gap(0.2)],
                 [*self.fields],
-                [Choice(say("match.race"), lambda: _RACES, lambda: self.race, self._take_race, say("match.race_hint"))],
-                [Choice(say("match.breaker"), self._breakers, lambda: self.breaker, self._take_breaker, "", self._who)],
+                [
+                    Choice(
+                        say("setting.match.race"),
+                        lambda: _RACES,
+                        lambda: self.race,
+                        self._take_race,
+                        say("setting.match.race_hint"),
+                    )
+                ],
+                [
+                    Choice(
+                        say("setting.match.breaker"),
+                        self._breakers,
+                        lambda: self.breaker,
+                        self._take_breaker,
+                        say("setting.match.breaker_hint"),
+                        self._who,
+                    )
+                ],
                 [breaks if self.race != "1" else Gap(breaks.rows)],
                 [Gap(0.2)],
                 *([widget] for widget in options),
                 [Gap(max(0.2, _TALL - sum(widget.rows for widget in options)))],
-                [Heading(lambda: self.wrong, theme.WARNING, lines=2)],
-                [Button(say("form.cancel"), self._cancel), Button(say("match.start"), self.start, strong=True)],
+                [Heading(lambda: self.wrong or self.barred, theme.WARNING, lines=2)],
+                [
+                    Button(say("form.cancel"), self._cancel),
+                    Button(say("match.start"), self.start, strong=True, barred=lambda: bool(self.barred)),
+                ],
             ]
         )
 
@@ -144,16 +217,18 @@ class NewMatch(Dialog):
     # What is chosen.
 
     def _take_table(self, name: str) -> None:
-        self.table, self.wrong = name, ""
-        games = self.games
-        if not games and not self.wrong:
-            self.wrong = say("match.no_game")
-        self._take_game(self.game if self.game in games else next(iter(games), ""))
+        """Play on this table; where the game cannot be, another one."""
+        self.table = name
+        fitting = [game for game in self.games if self._fits(name, game)]
+        self._take_game(self.game if self.game in fitting else next(iter(fitting), self.game))
 
     def _take_game(self, name: str) -> None:
+        """Play this game; where the table is none for it, on the first that is."""
         if name != self.game:
             self.options = {}
-        self.game = name
+        self.game, self.wrong = name, ""
+        if not self._fits(self.table):
+            self.table = next((table for table in self.tables if self._tables.get(table) is not None), self.table)
         if self.breaker not in self._breakers():
             self.breaker = str(COIN)
         self._lay_out()
@@ -170,16 +245,20 @@ class NewMatch(Dialog):
 
     def _loaded(self) -> Table | None:
         """The chosen table; None, and what is wrong with it told, where it cannot be loaded."""
-        if self._tables.get(self.table) is None:
-            try:
-                self._tables[self.table] = load_table(self.table)
-            except InputError as error:
-                self.wrong = str(error)
-                self._tables[self.table] = None
-        return self._tables[self.table]
+        return self._table(self.table)
 
-    def _all_tables(self) -> list[str]:
-        return list(dict.fromkeys((*presets(), *self._tables)))
+    def _table(self, name: str) -> Table | None:
+        if name not in self._tables:
+            try:
+                self._tables[name] = load_table(name)
+            except InputError as error:
+                self._errors[name], self._tables[name] = str(error), None
+        return self._tables[name]
+
+    def _fits(self, name: str, game: str = "") -> bool:
+        """Whether a game, or else the one chosen, can be played on a table; so it may be on one that cannot be read."""
+        table, rules = self._table(name), GAMES.get(game or self.game)
+        return table is None or (rules is not None and rules.fits(table))
 
     def _title(self, name: str) -> str:
         """The name of a table as its preset has it; that of the preset where it cannot be read."""
@@ -201,6 +280,19 @@ class NewMatch(Dialog):
 
     def _cancel(self) -> None:
         self.done = True
+
+
+def _understood(kept: str, game: str) -> dict[str, float | str]:
+    """The options of a game as they were kept, as far as they are allowed."""
+    knobs = {name: knob for name, knob, _ in walk(GAMES[game].options_type())}
+    options: dict[str, float | str] = {}
+    for name, _, said in (pair.partition("=") for pair in kept.split()):
+        knob = knobs.get(name)
+        if knob is not None and knob.choices and said in knob.choices:
+            options[name] = said
+        elif knob is not None and not knob.choices and said.replace(".", "", 1).isdecimal():
+            options[name] = min(max(float(said), knob.lo), knob.hi)
+    return options
 
 
 def _name_field(player: int, value: str) -> TextField:

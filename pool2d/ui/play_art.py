@@ -93,6 +93,8 @@ def _at_rest(surface: pygame.Surface, play: Play) -> None:
         stage.ways(surface, play.tuning)
     elif aiming and hands.speed > 0.0:
         stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
+    if aiming and session.movable and not session.free:
+        stage.glow(surface, session.cue)
     stage.balls(surface, session.layout, session.rollout, but=held.id if held is not None else "")
     if held is not None:
         _area(surface, play)

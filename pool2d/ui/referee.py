@@ -99,8 +99,8 @@ class Referee:
             said += self._on(ask)
         if self.calls.pockets(session) and not (self.calls.ball or self.calls.pocket):
             said.append(say("referee.may_call"))
-        if ask.kind == AIM and ask.where and not any(note.key.startswith("in-hand") for note in moment.ruling.notes):
-            said.append(say(f"referee.movable.{ask.where}"))
+        if ask.where and ask.kind in (AIM, PLACE):
+            said.append(say(f"referee.{'movable' if ask.kind == AIM else 'put'}.{ask.where}"))
         if ask.kind == OVER:
             said.append(say("referee.over", key=KEYS.shown("strike")))
         return " ".join(said)

@@ -31,6 +31,8 @@ from .words import say
 
 # How long a notice is told before the referee's word comes back, s.
 _READ = 4.0
+# A shot shorter than this, s, that is seen again stays on its last moment until it is left.
+_SHORT = 4.0
 
 
 class Sitting:
@@ -166,7 +168,10 @@ class Sitting:
             self.told = lambda: say("play.no_shot")
         elif self.playback is None:
             self.hands.put_down()
-            self._show(Playback(last, self.session.shot, stroke.lead(False, self.effects), again=True))
+            shown = Playback(last, self.session.shot, stroke.lead(False, self.effects), again=True)
+            # One so short would be gone before a hand is on its time line: it waits on its last moment.
+            shown.kept = shown.end < _SHORT
+            self._show(shown)
             self.timeline.begin(self.hands.pointer)
             self.told = lambda: ""
 

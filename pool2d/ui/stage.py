@@ -23,6 +23,9 @@ from .scene import Boxes
 from .tuning import Tuning
 from .view import View, fit
 
+# A ball in hand has light round it: discs so many times as wide, each of so much light, of 255.
+_GLOW, _LIGHT = (1.9, 1.65, 1.4, 1.2), 34
+
 
 class Stage:
     """The surface being drawn on, the table, and where the one is on the other; `style` is how balls are drawn."""
@@ -112,9 +115,16 @@ class Stage:
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
         """Draw a ball held over the table, ringed by whether it has room there."""
-        self.ball(surface, ball, faint=True)
         color = theme.ACCENT if free else theme.WARNING
+        self.glow(surface, ball, color)
+        self.ball(surface, ball, faint=True)
         pen.ring(surface, color, self.view.to_screen(ball.x, ball.y), self._radius(ball) + 2.0, 2.0)
+
+    def glow(self, surface: pygame.Surface, ball: Ball, color: theme.Color = theme.ACCENT) -> None:
+        """Draw light round a ball that can be taken, or is held."""
+        place, radius = self.view.to_screen(ball.x, ball.y), self._radius(ball)
+        for part in _GLOW:
+            pen.disc(surface, (*color[:3], _LIGHT), place, radius * part)
 
     def guide(self, surface: pygame.Surface, level: int, layout: Layout, shot: Shot) -> None:
         """Draw what a shot would do."""

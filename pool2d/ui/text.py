@@ -59,6 +59,15 @@ def fitted(text: str, size: int, width: int) -> str:
     return text + "\N{HORIZONTAL ELLIPSIS}"
 
 
+def in_lines(text: str, size: int, width: int, most: int) -> tuple[str, ...]:
+    """The text in lines no wider than `width` pixels; what is beyond the last of `most` is told by an ellipsis."""
+    lines = wrap(text, size, width)
+    if len(lines) <= most:
+        return lines
+    last = lines[most - 1] + " \N{HORIZONTAL ELLIPSIS}"
+    return (*lines[: most - 1], last if font(size).size(last)[0] <= width else fitted(last, size, width))
+
+
 @lru_cache(maxsize=128)
 def wrap(text: str, size: int, width: int) -> tuple[str, ...]:
     """The text in lines no wider than `width` pixels; a word longer than that is broken."""

@@ -54,6 +54,7 @@ class Tuning:
         self._go_to = go_to
         self.chosen = session.table.source
         self._titles: dict[str, str] = {}
+        self._presets: dict[str, Table] = {}
         self.form = Form([])
         self.lay_out()
 
@@ -126,6 +127,11 @@ class Tuning:
         except InputError as error:
             self.error = str(error)
 
+    def save(self) -> None:
+        """Ask for a name to save the table by; what was refused before it is over."""
+        self.error = ""
+        self._save()
+
     def swap(self) -> None:
         """Play on the table that is compared, and compare with the one in play."""
         if self.compared is not None:
@@ -170,7 +176,7 @@ class Tuning:
             [
                 Button(say("tuning.swap"), self.swap, say("tuning.swap_hint")),
                 Button(say("tuning.reset"), self.reset, say("tuning.reset_hint")),
-                Button(say("tuning.save"), self._save, say("tuning.save_hint"), strong=True),
+                Button(say("tuning.save"), self.save, say("tuning.save_hint"), strong=True),
             ],
         ]
         self.form.set_rows(rows)
@@ -191,7 +197,7 @@ class Tuning:
             [
                 Choice(
                     say("tuning.compare"),
-                    lambda: [NOTHING, *presets()],
+                    lambda: [NOTHING, *filter(self._holds, presets())],
                     self._compared,
                     self.compare,
                     say("tuning.compare_hint"),
@@ -266,6 +272,16 @@ class Tuning:
         table = self.session.table
         parts = [table_title(table), *map(_condition, table.conditions)]
         return f"{', '.join(parts)}; {say('tuning.turned', count=changed) if changed else say('tuning.unturned')}"
+
+    def _holds(self, name: str) -> bool:
+        """Whether a preset can be read and has room for the balls of the shot where they lay."""
+        try:
+            if name not in self._presets:
+                self._presets[name] = load_table(name)
+            self._presets[name].settle(self.start)
+        except InputError:
+            return False
+        return True
 
     def _compared(self) -> str:
         return NOTHING if self.compared is None else self.compared.source

@@ -117,7 +117,7 @@ class Heading(Widget):
             text.draw(surface, line, size, self.color, (self.rect.left, self.rect.centery), (0.0, 0.5))
             return
         pitch = text.font(size).get_linesize()
-        for i, line in enumerate(text.wrap(words, size, self.rect.width)[: self.lines]):
+        for i, line in enumerate(text.in_lines(words, size, self.rect.width, self.lines)):
             text.draw(surface, line, size, self.color, (self.rect.left, self.rect.top + i * pitch))
 
 
@@ -132,30 +132,40 @@ class Gap(Widget):
 
 
 class Button(Widget):
-    """Does something when it is pressed and released, or on Enter or Space."""
+    """Does something when it is pressed and released, or on Enter or Space; grey, and idle, while it is `barred`."""
 
     rows = 1.5
     margin = (0.75, 0.3)
 
-    def __init__(self, label: str, do: Callable[[], None], hint: str = "", strong: bool = False) -> None:
+    def __init__(
+        self, label: str, do: Callable[[], None], hint: str = "", strong: bool = False,
+        barred: Callable[[], bool] = bool,
+    ) -> None:  # fmt: skip
         super().__init__()
         self.label = label
         self.do = do
+        self.barred = barred
         self.hint = hint
         self.strong = strong
 
     def release(self, pos: tuple[int, int]) -> None:
-        if self.rect.collidepoint(pos):
+        if self.rect.collidepoint(pos) and not self.barred():
             self.do()
 
     def key(self, key: int, mod: int) -> bool:
         if key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE):
-            self.do()
+            if not self.barred():
+                self.do()
             return True
         return False
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         box = self.rect.inflate(0, -unit // 2)
+        if self.barred():
+            plate(surface, box, theme.FACE, unit, theme.EDGE)
+            label = text.fitted(self.label, unit * 7 // 4, box.width - unit)
+            text.draw(surface, label, unit * 7 // 4, theme.QUIET, box.center, (0.5, 0.5))
+            return
         color = face(self.pressed, hovered)
         if self.strong:
             color = theme.ACCENT_DOWN if self.pressed else theme.ACCENT_LIT if hovered else theme.ACCENT

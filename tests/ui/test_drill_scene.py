@@ -244,3 +244,22 @@ def test_the_goal_is_told_again_once_anything_else_has_been_read(hand: Hand) -> 
     for _ in range(20):
         hand.app.step(0.5)
     assert play.message == goal
+
+
+def test_a_stroke_counts_once_its_balls_have_been_seen_to_rest(hand: Hand) -> None:
+    play = begin(hand, "stop-shot")
+    before = play.titles
+    play.hands.aim = Aim.of(play.drilling.drill.solution[0])
+    # The key that opened the drill does not strike; the first press arms the stroke.
+    hand.key(pygame.K_SPACE)
+    hand.key(pygame.K_SPACE)
+    assert play.playback is not None and play.titles == before
+    hand.app.step(0.3)
+    hand.key(pygame.K_p)
+    assert play.playback is not None and play.titles == before
+    hand.key(pygame.K_RETURN)
+    hand.app.step(0.5)
+    after = play.titles
+    assert play.playback is None and after != before
+    hand.key(pygame.K_r)
+    assert play.playback is not None and play.titles == after

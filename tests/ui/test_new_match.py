@@ -11,10 +11,11 @@ import pytest
 from pool2d import load_table
 from pool2d.game.record import load
 from pool2d.game.replaying import restored, verify
-from pool2d.game.rules import games_for
+from pool2d.game.rules import GAMES, games_for
 from pool2d.game.session import PRACTICE
+from pool2d.preset import presets
 from pool2d.settings import Store
-from pool2d.ui import words
+from pool2d.ui import theme, words
 from pool2d.ui.app import App
 from pool2d.ui.inputs import Choice
 from pool2d.ui.new_match import NewMatch
@@ -120,7 +121,6 @@ def test_a_table_without_a_head_cushion_offers_no_lag(guest: Hand) -> None:
 
 
 def test_by_keys_alone(guest: Hand) -> None:
-    guest.key(pygame.K_DOWN)
     guest.key(pygame.K_RIGHT)
     assert dialog(guest).game == "nine-ball"
     while not isinstance(dialog(guest).form.focus, Button):
@@ -145,26 +145,83 @@ def test_names_are_typed_and_kept(guest: Hand) -> None:
     assert Store(path).values.players.first == "Zoë"
 
 
-def test_a_table_offers_its_own_games_alone(guest: Hand) -> None:
-    seen = set()
-    while dialog(guest).table not in seen:
+def test_a_game_is_offered_the_tables_that_it_can_be_played_on_alone(guest: Hand) -> None:
+    games = [name for name in GAMES if name != PRACTICE]
+    assert dialog(guest).games == games
+    for _ in games:
         chosen = dialog(guest)
-        seen.add(chosen.table)
-        playable = [name for name in games_for(load_table(chosen.table)) if name != PRACTICE]
-        assert chosen.games == playable
-        assert chosen.game in playable or (not playable and chosen.wrong)
+        assert chosen.tables == [name for name in presets() if chosen.game in games_for(load_table(name))]
+        assert chosen.table in chosen.tables and not chosen.barred
+        before = chosen.table
         turn(guest, "Table")
-    assert {"snooker-12ft", "carom-10ft", "l-shape"} <= seen
+        assert chosen.table in chosen.tables and (chosen.table != before or len(chosen.tables) == 1)
+        turn(guest, "Game")
+    assert dialog(guest).game == games[0]
 
 
-def test_where_no_game_can_be_played_none_starts(guest: Hand) -> None:
-    while dialog(guest).games:
-        turn(guest, "Table")
-    assert dialog(guest).wrong
-    click(guest, widget(guest, "Start").rect.center)
-    assert dialog(guest).wrong
+def test_where_no_game_can_be_played_none_starts_and_it_is_told(guest: Hand, tmp_path: Path) -> None:
+    dialog(guest)._take_table("l-shape")
+    dialog(guest).game = "snooker"
+    start = widget(guest, "Start")
+    assert isinstance(start, Button) and start.barred() and "No game" in dialog(guest).barred
+    click(guest, start.rect.center)
+    assert isinstance(guest.app.scene, NewMatch) and guest.play.session.free
+    dialog(guest).form.focus = start
+    guest.key(pygame.K_RETURN)
+    assert isinstance(guest.app.scene, NewMatch)
+
+
+def test_a_button_that_is_barred_is_grey(guest: Hand) -> None:
+    start = widget(guest, "Start")
+
+    def colors() -> set[tuple[int, ...]]:
+        guest.app.redraw()
+        guest.app.step(0.0)
+        box = guest.app.surface.subsurface(start.rect)
+        return {tuple(box.get_at((x, 4 + box.get_height() // 2))) for x in range(4, box.get_width() - 4)}
+
+    assert theme.ACCENT in {color[:3] for color in colors()}
+    dialog(guest).game = "snooker"
+    assert theme.ACCENT not in {color[:3] for color in colors()}
+
+
+def test_it_opens_as_last_set(guest: Hand) -> None:
     turn(guest, "Game")
-    assert dialog(guest).game == ""
+    turn(guest, "Table")
+    turn(guest, "Race to", 2)
+    turn(guest, "Breaks then")
+    turn(guest, "The nine on the break")
+    turn(guest, "Breaks first", 3)
+    chosen = dialog(guest)
+    click(guest, widget(guest, "Start").rect.center)
+    agreed = guest.play.session.match.setup
+    guest.app._save()
+    again = NewMatch(guest.play, Store(guest.app.store.path), load_table("carom-10ft"), lambda session: guest.play)
+    for name in ("game", "table", "race", "breaks", "breaker", "options"):
+        assert getattr(again, name) == getattr(chosen, name), name
+    assert again.options == agreed.options != {} and not again.barred
+
+
+@pytest.mark.parametrize(
+    "kept",
+    [
+        {"game": "tiddlywinks"},
+        {"game": "snooker", "table": "gone"},
+        {"game": "nine-ball push_out=maybe fly=yes nine_on_break nine_on_break=wins"},
+        {"game": "straight target=1e9 innings=nan"},
+        {"game": "eight-ball", "table": "snooker-12ft", "race": 98.0, "breaker": 0.5, "breaks": "nobody"},
+    ],
+)
+def test_what_was_kept_and_stands_for_nothing_is_passed_over(guest: Hand, kept: dict[str, float | str]) -> None:
+    store = Store()
+    for name, value in kept.items():
+        store.turn(f"match.{name}", value)
+    opened = NewMatch(guest.play, store, load_table("pool-9ft"), lambda session: guest.play)
+    assert opened.game in opened.games
+    if kept.get("table") != "gone":
+        assert not opened.barred
+        opened.start()
+        assert not opened.wrong
 
 
 def test_a_game_is_kept_where_the_next_table_has_it_too(guest: Hand) -> None:
@@ -180,10 +237,11 @@ def test_a_damaged_table_is_told_and_another_can_be_chosen(guest: Hand, tmp_path
     (tmp_path / "tables" / "zz.toml").write_text('base = "pool-9ft"\n[table]\nlength = -1\n')
     while dialog(guest).table != "zz":
         turn(guest, "Table")
-    assert "zz" in dialog(guest).wrong and dialog(guest).games == []
+    assert "zz" in dialog(guest).barred
     click(guest, widget(guest, "Start").rect.center)
+    assert guest.play.session.free
     turn(guest, "Table")
-    assert dialog(guest).wrong == "" and dialog(guest).games
+    assert dialog(guest).barred == ""
 
 
 def test_a_match_that_cannot_be_recorded_is_told(guest: Hand, tmp_path: Path) -> None:
@@ -207,8 +265,9 @@ def test_options_are_those_of_the_game(guest: Hand) -> None:
 
 
 def test_a_number_that_stands_for_none_is_told_in_words(guest: Hand) -> None:
-    while dialog(guest).table != "carom-10ft":
-        turn(guest, "Table")
+    while dialog(guest).game != "three-cushion":
+        turn(guest, "Game")
+    assert dialog(guest).table == "carom-10ft"
     innings = widget(guest, "Innings")
     assert isinstance(innings, Choice)
     assert (innings.get(), innings.shown(innings.get())) == ("0", "no limit")

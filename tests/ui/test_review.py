@@ -289,3 +289,16 @@ def test_every_kind_of_event_has_a_title() -> None:
     titles = {event.kind: telling.title(event, "cue") for event in events}
     assert {"cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster", "sliding_rolling"} <= set(titles)
     assert all("_" not in title for title in titles.values())
+
+
+def test_a_short_shot_seen_again_stays_on_its_last_moment(two: Hand) -> None:
+    two.play.hands.aim = two.play.hands.aim.with_speed(0.3)
+    two.strike()
+    two.key(pygame.K_r)
+    for _ in range(400):
+        two.app.step(FRAME)
+    shown = two.play.playback
+    assert shown is not None and shown.ended
+    two.key(pygame.K_RETURN)
+    two.app.step(FRAME)
+    assert two.play.playback is None

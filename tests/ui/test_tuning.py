@@ -9,6 +9,7 @@ import pytest
 
 from pool2d import load_table
 from pool2d.knobs import walk
+from pool2d.preset import presets
 from pool2d.ui.debug import draw_geometry
 from pool2d.ui.dialog import Ask
 from pool2d.ui.inputs import Choice, Slider
@@ -330,3 +331,28 @@ def test_the_geometry_drawn_is_the_one_the_physics_sees(hand: Hand) -> None:
     assert pygame.image.tobytes(hand.app.surface, "RGB") != plain
     hand.key(pygame.K_b)
     assert pygame.image.tobytes(hand.app.surface, "RGB") == plain
+
+
+def test_a_table_is_compared_only_where_the_balls_have_room(hand: Hand) -> None:
+    shot(hand)
+    tuning = panel(hand)
+    compare = next(one for one in tuning.form.widgets if getattr(one, "label", "") == "Compare with")
+    assert isinstance(compare, Choice)
+    offered = set(compare.options())
+    assert {NOTHING, "pool-9ft"} <= offered
+    for name in offered - {NOTHING}:
+        tuning.compare(name)
+        assert tuning.error == "" and tuning.other is not None, name
+    for name in set(presets()) - offered:
+        tuning.compare(name)
+        assert tuning.error, name
+
+
+def test_saving_leaves_no_error_that_is_over(hand: Hand) -> None:
+    tuning = panel(hand)
+    tuning.turn("table.length", 1.0)
+    assert tuning.error
+    save = next(one for one in tuning.form.widgets if getattr(one, "label", "").startswith("Save"))
+    assert isinstance(save, Button)
+    save.do()
+    assert tuning.error == ""

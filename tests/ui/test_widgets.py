@@ -8,6 +8,7 @@ import pygame
 import pytest
 
 from pool2d.knobs import Knob
+from pool2d.ui import text
 from pool2d.ui.field import TextField
 from pool2d.ui.form import Form
 from pool2d.ui.inputs import Choice, ListBox, Slider
@@ -344,3 +345,62 @@ def test_widgets_that_have_just_been_shown_can_be_clicked_before_they_are_drawn(
         made.handle(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=right, button=1))
         made.handle(pygame.event.Event(pygame.MOUSEBUTTONUP, pos=right, button=1))
     assert taken == ["b", "c", "a"]
+
+
+def test_what_is_held_when_the_focus_goes_is_let_go() -> None:
+    cell, pressed = Cell(0.5), list[int]()
+    made = form(slider(cell), Button("Go", lambda: pressed.append(1)), TextField("Name", "words"))
+    for widget in made.widgets:
+        at = widget.rect.center
+        post(made, pygame.MOUSEBUTTONDOWN, pos=at, button=1)
+        # It is for whatever else is held, too.
+        assert not post(made, pygame.WINDOWFOCUSLOST)
+        held = cell.value, getattr(widget, "cursor", None)
+        post(made, pygame.MOUSEMOTION, pos=(at[0] + 90, at[1]))
+        assert (cell.value, getattr(widget, "cursor", None)) == held and not widget.held
+        assert not post(made, pygame.MOUSEBUTTONUP, pos=at, button=1)
+    assert not pressed
+
+
+def test_the_mark_that_scrolls_is_let_go_too() -> None:
+    made = form(*(Button(str(i), lambda: None) for i in range(60)))
+    post(made, pygame.MOUSEBUTTONDOWN, pos=(BOX.right - 4, BOX.top + 20), button=1)
+    post(made, pygame.MOUSEMOTION, pos=(BOX.right - 4, BOX.top + 80))
+    there = made.scroll
+    assert there > 0
+    post(made, pygame.WINDOWFOCUSLOST)
+    post(made, pygame.MOUSEMOTION, pos=(BOX.right - 4, BOX.top + 200))
+    assert made.scroll == there
+
+
+def test_a_list_goes_by_pages_and_to_its_ends() -> None:
+    names, cell = [str(i) for i in range(30)], Cell("10")
+    made = form(ListBox(lambda: names, cell.text, cell.put, lines=8))
+    for code, then in ((pygame.K_PAGEDOWN, "17"), (pygame.K_PAGEUP, "10"), (pygame.K_END, "29"),
+                       (pygame.K_PAGEDOWN, "29"), (pygame.K_HOME, "0"), (pygame.K_PAGEUP, "0")):  # fmt: skip
+        assert key(made, code) and cell.value == then
+
+
+def test_a_long_form_goes_by_pages_and_to_its_ends() -> None:
+    made = form(*(Button(str(i), lambda: None) for i in range(60)))
+
+    def press(code: int) -> int:
+        assert key(made, code)
+        made.draw(pygame.Surface((800, 720)))
+        made.place(BOX, 8)
+        assert made.focus is not None and BOX.colliderect(made.focus.rect)
+        return made.widgets.index(made.focus)
+
+    first = press(pygame.K_PAGEDOWN)
+    assert 5 < first < 20 and abs(press(pygame.K_PAGEDOWN) - 2 * first) <= 1
+    assert abs(press(pygame.K_PAGEUP) - first) <= 1
+    assert press(pygame.K_END) == 59 and press(pygame.K_PAGEDOWN) == 59
+    assert press(pygame.K_HOME) == 0 and press(pygame.K_PAGEUP) == 0
+
+
+def test_what_is_cut_says_so() -> None:
+    said = "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen"
+    lines = text.in_lines(said, 14, 120, 2)
+    assert len(lines) == 2 and lines[-1].endswith("\N{HORIZONTAL ELLIPSIS}")
+    assert max(text.font(14).size(line)[0] for line in lines) <= 120
+    assert text.in_lines(said, 14, 120, 20) == text.wrap(said, 14, 120)
