@@ -102,16 +102,19 @@ def test_after_a_break_that_is_none_the_balls_may_be_racked_again() -> None:
     assert (again.ask.who, again.state.shots, again.state.free, again.state.racks) == (1, 0, True, 2)
 
 
-def test_a_ball_is_over_the_middle_with_its_whole_width() -> None:
+@pytest.mark.parametrize("way", [-1.0, 1.0])
+def test_a_ball_is_over_the_middle_with_its_whole_width(way: float) -> None:
     layout = Layout(ball for ball in BLACKBALL.start().layout.values() if ball.id in ("cue", "red1"))
-    middle = 0.5 * ENGLISH.knobs.table.length
-    layout = put(put(layout, "cue", (1.4, 0.45)), "red1", (1.2, 0.45))
-    for speed in (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9):
-        rollout = simulate(ENGLISH, layout, Shot(angle=180.0, speed=speed))
-        far = min(rollout.at(0.01 * i)["red1"].x for i in range(int(100 * rollout.duration) + 2))
+    middle, told = 0.5 * ENGLISH.knobs.table.length, set()
+    layout = put(put(layout, "cue", (middle - way * 0.45, 0.45)), "red1", (middle - way * 0.25, 0.45))
+    for speed in [0.3 + 0.02 * i for i in range(30)]:
+        rollout = simulate(ENGLISH, layout, Shot(angle=0.0 if way > 0.0 else 180.0, speed=speed))
+        places = [way * (rollout.at(0.01 * i)["red1"].x - middle) for i in range(int(100 * rollout.duration) + 2)]
         seen = read(ENGLISH, rollout)
-        assert ("red1" in seen.passed) is (far < middle)
-        assert ("red1" in seen.cleared) is (far + 0.0254 < middle)
+        found = ("red1" in seen.passed, "red1" in seen.cleared)
+        assert found == (max(places) > 0.0, max(places) > 0.0254)
+        told.add(found)
+    assert told == {(False, False), (True, False), (True, True)}
 
 
 # Six-red.
@@ -123,12 +126,12 @@ def test_six_reds_hold_75() -> None:
     assert sum(ball.id.startswith("red") for ball in start.layout.on_table()) == 6
 
 
-def missing(times: int, scores: tuple[int, int] = (0, 0)) -> Any:
+def missing(times: int) -> Any:
     """The red behind the yellow missed, and the balls put back, that many times."""
     layout = only(SIX.start().layout, "red1", "red2", "yellow", "black")
     for ball, place in {"cue": (1.0, 0.5), "red1": (2.5, 0.5), "red2": (2.5, 0.6), "yellow": (1.75, 0.52)}.items():
         layout = put(layout, ball, place)
-    state = SIX.aiming(replace(SIX.start().state, shots=4, scores=scores), layout, 0)
+    state = SIX.aiming(replace(SIX.start().state, shots=4), layout, 0)
     ruling = SIX.judge(state, layout, report("cue|", start=layout))
     for _ in range(times - 1):
         ruling = SIX.choose(ruling.state, ruling.layout, Choice("put-back"))
@@ -148,6 +151,16 @@ def test_after_five_misses_the_cue_ball_goes_anywhere() -> None:
     assert isinstance(placed.state, SixRedState) and placed.state.called == 0
     there = SIX.choose(placed.state, placed.layout, Choice("place", 2.0, 1.2))
     assert (there.layout["cue"].x, there.layout["cue"].y) == (2.0, 1.2)
+
+
+@pytest.mark.parametrize(("scores", "offered"), [((0, 0), True), ((0, 60), False)])
+def test_not_where_snookers_are_required(scores: tuple[int, int], offered: bool) -> None:
+    layout = only(SIX.start().layout, "red1", "black")
+    layout = put(put(layout, "cue", (1.0, 0.5)), "red1", (2.5, 0.5))
+    state = replace(SIX.start().state, shots=9, scores=scores, called=MISSES - 1, misses=1)
+    ruling = SIX.judge(SIX.aiming(state, layout, 0), layout, report("cue|", start=layout))
+    assert ruling.state.called == MISSES
+    assert ruling.ask.options == ("play", "play-again", *(("anywhere",) if offered else ()))
 
 
 def test_playing_on_ends_the_row_of_misses() -> None:
