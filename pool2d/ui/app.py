@@ -12,6 +12,7 @@ from ..errors import InputError, suggest
 from ..folders import pictures_folder
 from ..game.session import practice
 from ..preset import load_table
+from ..printable import printable
 from ..settings import GUIDES, Settings, Store
 from ..table import Table
 from . import pictures, rulings, text, words
@@ -245,7 +246,7 @@ class App:
         caption = f"pool2d \N{EN DASH} {rulings.table_title(stage.table)}"
         if caption != self._caption:
             self._caption = caption
-            pygame.display.set_caption(caption)
+            pygame.display.set_caption(printable(caption, 200))
 
     # The settings.
 

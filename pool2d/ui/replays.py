@@ -59,7 +59,7 @@ class RecordShelf(Shelf):
         do, throw = self.telling(partial(self._open, path)), self.telling(partial(self._throw, path))
         try:
             players, game, when = about(path)
-        except (InputError, OSError) as error:
+        except (InputError, OSError, OverflowError, ValueError) as error:
             return Entry(path.stem, do, below=str(error), remove=throw)
         return Entry(players, do, note=title(game), below=when, remove=throw)
 
@@ -75,7 +75,7 @@ class RecordShelf(Shelf):
 def about(path: Path) -> tuple[str, str, str]:
     """What a record says of its match: the players with the score, the game's name, and when it was played last.
 
-    Raises InputError where it is damaged, and OSError where it has gone.
+    Raises InputError where it is damaged, OSError where it has gone, and OverflowError or ValueError for an odd time.
     """
     record = load(path, torn=True)
     when = time.strftime("%Y-%m-%d %H:%M", time.localtime(path.stat().st_mtime))

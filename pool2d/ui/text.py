@@ -1,13 +1,15 @@
-"""Text in the one bundled font: measured, wrapped and cached."""
+"""Text in the one bundled font: measured, wrapped and cached. Whatever it holds, what is drawn can be shown."""
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from functools import lru_cache
 from pathlib import Path
 
 import pygame
 
 from ..assets import asset
+from ..printable import LONGEST, printable
 from .theme import Color
 
 # Font files that could not be read; whoever tells the player takes them out.
@@ -32,7 +34,7 @@ def font(size: int) -> pygame.font.Font:
 @lru_cache(maxsize=512)
 def picture(text: str, size: int, color: Color) -> pygame.Surface:
     """One line of text as a surface."""
-    return font(size).render(text, True, color)
+    return font(size).render(printable(text), True, color)
 
 
 def draw(
@@ -52,11 +54,10 @@ def draw(
 @lru_cache(maxsize=256)
 def fitted(text: str, size: int, width: int) -> str:
     """The text, or as much of its beginning as fits into `width` pixels, with an ellipsis."""
+    text = printable(text)
     if font(size).size(text)[0] <= width:
         return text
-    while text and font(size).size(text + "\N{HORIZONTAL ELLIPSIS}")[0] > width:
-        text = text[:-1]
-    return text + "\N{HORIZONTAL ELLIPSIS}"
+    return text[: _room(text, size, width, "\N{HORIZONTAL ELLIPSIS}")] + "\N{HORIZONTAL ELLIPSIS}"
 
 
 def in_lines(text: str, size: int, width: int, most: int) -> tuple[str, ...]:
@@ -72,13 +73,18 @@ def in_lines(text: str, size: int, width: int, most: int) -> tuple[str, ...]:
 def wrap(text: str, size: int, width: int) -> tuple[str, ...]:
     """The text in lines no wider than `width` pixels; a word longer than that is broken."""
     lines: list[str] = []
-    for word in text.split():
+    for word in map(printable, text[:LONGEST].split()):
         if lines and font(size).size(f"{lines[-1]} {word}")[0] <= width:
             lines[-1] += " " + word
             continue
         while font(size).size(word)[0] > width and len(word) > 1:
-            cut = next((n for n in range(len(word), 1, -1) if font(size).size(word[:n])[0] <= width), 1)
+            cut = max(1, _room(word, size, width))
             lines.append(word[:cut])
             word = word[cut:]
         lines.append(word)
     return tuple(lines)
+
+
+def _room(text: str, size: int, width: int, end: str = "") -> int:
+    """How many of the first letters, and `end`, fit into `width` pixels."""
+    return bisect_right(range(1, len(text) + 1), width, key=lambda count: font(size).size(text[:count] + end)[0])

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import pygame
 
+from ..printable import printable
 from . import shapes, text, theme
 from .hud import Screen
 
@@ -13,6 +14,7 @@ from .hud import Screen
 _SLIDE, _STAY, _LETTER = 0.18, 2.5, 0.05
 # More than this many at once would cover the table; the others wait.
 _MOST = 4
+_LONGEST = 400
 
 
 @dataclass(slots=True)
@@ -43,7 +45,8 @@ class Toasts:
         self.still = False
 
     def say(self, words: str, wrong: bool = False) -> None:
-        """Show a note; one that is there already stays longer instead."""
+        """Show a note, of some lines at most; one that is there already stays longer instead."""
+        words = printable(words, _LONGEST)
         for note in self.notes:
             if note.words == words:
                 note.age = min(note.age, _SLIDE)

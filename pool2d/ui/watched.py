@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..errors import InputError
 from ..preset import preset_files
 from ..table import Table
 
@@ -16,7 +17,11 @@ class Watched:
 
     def __init__(self, table: Table) -> None:
         self.behind = (table.source, table.conditions)
-        self._paths = preset_files(table)
+        try:
+            self._paths = preset_files(table)
+        except InputError:
+            # The preset has been damaged or thrown away since: the table is played on as it was.
+            self._paths = []
         self._stamps = self._read()
         self._wait = WATCH
 
