@@ -234,6 +234,20 @@ def test_it_is_a_program(play: str) -> None:
     assert (bad.returncode, bad.stdout, len(bad.stderr.splitlines())) == (2, "", 1)
 
 
+def test_it_is_a_program_beside_a_folder_of_the_same_name() -> None:
+    """An installed clone, started from the folder that holds it: Python finds the clone before the package."""
+    code = (
+        "import runpy, sys; from importlib.machinery import ModuleSpec; from importlib.util import module_from_spec\n"
+        "spec = ModuleSpec('pool2d', None, is_package=True)\n"
+        f"spec.submodule_search_locations[:] = [{str(ROOT)!r}, {str(ROOT / 'pool2d')!r}]\n"
+        "sys.path.remove(''); sys.modules['pool2d'] = module_from_spec(spec)\n"
+        "sys.argv = ['pool2d', 'tables', 'pool-7ft']; runpy.run_module('pool2d', run_name='__main__')"
+    )
+    done = run("-c", code)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "pool-7ft" in done.stdout
+
+
 def test_a_sample_too_fine_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "s.toml"
     path.write_text('[[balls]]\nid = "cue"\nx = 1.0\ny = 0.5\nvx = 2.0\n')
