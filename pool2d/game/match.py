@@ -19,8 +19,9 @@ from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from .report import Call, Report
 from .rules import AIM, OVER, Ask, Choice, Rules, Ruling, State, game
 from .rules.lag import Lag, LagState
+from .rules.pool import PoolRules
 from .rules.practice import Practice
-from .setup import ALTERNATE, LAG, WINNER, Setup, checked
+from .setup import ALTERNATE, LAG, WINNER, Setup, can_lag, checked
 from .tally import Tally, after_frame, after_stroke
 from .witness import read
 
@@ -185,7 +186,9 @@ class Match:
             ruling = rules.conceded(state, layout, action.player)
         elif isinstance(action, Stalemate):
             # The last stroke is nobody's in the new rack.
-            now, ruling = replace(now, shooter=-1), rules.stalemate(state)
+            now = replace(now, shooter=-1)
+            again = rules.lags_again and can_lag(self.rules, self.table)
+            ruling = self._lag.again(state) if again else rules.stalemate(state)
         else:
             ruling = self._arranged(action)
         return self._moment(replace(now, ruling=ruling, action=action, rollout=None, report=None))
@@ -242,9 +245,12 @@ class Match:
     def _lag(self) -> Lag:
         return Lag(self.table, self._begin)
 
-    def _begin(self, breaker: int) -> Ruling:
-        """The first break of the match."""
-        return self.rules.start(breaker, self._seed(0))
+    def _begin(self, breaker: int, lag: LagState | None = None) -> Ruling:
+        """The first break of the match, or one after a stalemate that was lagged for: the scores are kept."""
+        if lag is None or lag.racks < 0 or not isinstance(self.rules, PoolRules):
+            return self.rules.start(breaker, self._seed(0))
+        kept = {name: getattr(lag, name) for name in ("seed", "scores", "fouls", "racks")}
+        return self.rules.broken_by(breaker, self.rules.state_type(**kept))
 
     def _seed(self, frame: int) -> int:
         """The seed of a frame's racks."""

@@ -20,7 +20,7 @@ TABLE = load_table("pool-9ft")
 BALLS = ("cue", "8")
 
 
-def begun(breaker: int) -> Ruling:
+def begun(breaker: int, lag: LagState) -> Ruling:
     raise AssertionError("nobody has chosen yet")
 
 
@@ -176,3 +176,36 @@ def test_a_lag_is_refused_where_there_is_no_cushion_for_it_or_no_opponent() -> N
         Match(TABLE, Setup("practice", breaker=LAG))
     with pytest.raises(InputError, match=r"allowed is 0 to 1, -1 for a coin and -2 for a lag"):
         Match(TABLE, Setup("nine-ball", breaker=-3))
+
+
+@pytest.mark.parametrize("key", ["break", "give-break"])
+def test_a_stalemate_at_straight_pool_is_lagged_for(key: str) -> None:
+    """WPA 1.13, 7: an opening break by who wins the lag, or the opponent; the scores stay."""
+    game = Match(TABLE, Setup("straight", breaker=1, seed=4))
+    play(game, 0.5)
+    assert game.state.scores == (0, -2)
+    game.play(Choice("accept"))
+    racked = game.layout
+    game.play(Stalemate())
+    assert lagged(game.state)
+    assert (game.ask.who, game.state.scores, game.now.shooter) == (1, (0, -2), -1)
+    # A stalemate in a lag is no way round it.
+    game.play(Stalemate())
+    assert (lagged(game.state), game.state.scores) == (True, (0, -2))
+    play(game, 1.4, 1.4)
+    assert (game.ask.who, game.state.scores) == (1, (0, -2)), "two lags alike are lagged again"
+    play(game, 1.4, 1.6)
+    game.play(Choice(key))
+    who = 1 if key == "break" else 0
+    assert not lagged(game.state)
+    assert (game.ask.who, game.ask.where, game.now.breaker, game.state.scores) == (who, "kitchen", who, (0, -2))
+    assert game.state.opening  # type: ignore[attr-defined]
+    assert len(game.layout.on_table()) == 16
+    assert game.layout != racked
+    assert game.now.frame == 0
+
+
+def test_without_cushions_for_a_lag_who_broke_breaks_again() -> None:
+    game = Match(load_table("l-shape"), Setup("straight", breaker=1))
+    game.play(Stalemate())
+    assert (lagged(game.state), game.ask.who, game.ask.where) == (False, 1, "kitchen")

@@ -23,21 +23,24 @@ _DOUBT = 5e-4
 
 @dataclass(frozen=True, slots=True)
 class LagState(State):
-    """A lag. `breaker` lags first; `rests` are how far the balls are from the head cushion, m, -1 for a bad lag."""
+    """A lag. `breaker` lags first; `rests` are how far the balls are from the head cushion, m, -1 for a bad lag.
+
+    The first comes before any rack; one after a stalemate keeps the scores, the fouls and the count of racks.
+    """
 
     rests: tuple[float, ...] = ()
-    # It comes before the first rack.
     racks: int = -1
 
 
 class Lag(Rules[LagState]):
-    """The rules of a lag on a table; `begin` gives the ruling with which a player's break begins."""
+    """The rules of a lag on a table; `begin` gives the ruling with which a player's break begins after a lag."""
 
     name = "lag"
     title = "Lag"
+    lags_again = True
     state_type = LagState
 
-    def __init__(self, table: Table, begin: Callable[[int], Ruling]) -> None:
+    def __init__(self, table: Table, begin: Callable[[int, LagState], Ruling]) -> None:
         """Raises InputError for a table that lacks a head or a foot cushion."""
         super().__init__(table)
         self.begin = begin
@@ -57,9 +60,16 @@ class Lag(Rules[LagState]):
         return others[-1]
 
     def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
-        state = LagState(seed=seed, breaker=breaker)
+        return self._set_up(LagState(seed=seed, breaker=breaker))
+
+    def again(self, state: State) -> Ruling:
+        """A lag after a stalemate, or after a lag that nobody has won: the scores stay (WPA 7, 1.13)."""
+        kept = {name: getattr(state, name) for name in ("seed", "breaker", "scores", "fouls", "racks")}
+        return self._set_up(LagState(**kept))
+
+    def _set_up(self, state: LagState) -> Ruling:
         layout = self.table.settle(Layout(self._ball(player) for player in range(self.players)))
-        return self.ruled(self.to_play(state, layout, breaker), layout)
+        return self.ruled(self.to_play(state, layout, state.breaker), layout)
 
     def judge(self, state: LagState, layout: Layout, report: Report) -> Ruling:
         """What follows from one lag: the other player's, or, after both, the winner's choice or another lag."""
@@ -81,7 +91,7 @@ class Lag(Rules[LagState]):
             return self.ruled(self.to_play(state, layout, other), layout, *notes)
         winner = self._winner(state)
         if winner is None:
-            again = self.start(state.breaker, state.seed)
+            again = self.again(state)
             return again._replace(notes=(*notes, Note("lag.again"), *again.notes))
         notes = (*notes, Note("lag.won", winner))
         return self.ruled(self.to_choose(state, winner, "break", "give-break"), layout, *notes)
@@ -105,7 +115,7 @@ class Lag(Rules[LagState]):
 
     def picked(self, state: LagState, layout: Layout, key: str) -> Ruling:
         who = state.ask.who
-        return self.begin(who if key == "break" else self.other(who))
+        return self.begin(who if key == "break" else self.other(who), state)
 
     def next_note(self, state: LagState) -> Note:
         return super().next_note(state) if state.over or state.ask.options else Note("lag.turn", state.ask.who)

@@ -42,6 +42,7 @@ class Straight(PoolRules[StraightState]):
     state_type = StraightState
     call = "pocket"
     may = ("safety",)
+    lags_again = True
 
     def broken_by(self, player: int, state: StraightState) -> Ruling:
         """An opening break: the score is kept; it may be called, too (7.3)."""
