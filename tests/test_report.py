@@ -6,7 +6,7 @@ import pytest
 
 from pool2d import Ball, Layout, Shot, load_table, simulate
 from pool2d.game.report import BALL, POCKET, RAIL, Call, Contact, Report
-from pool2d.game.witness import read
+from pool2d.game.witness import _span, read
 
 from .rules.notation import report
 
@@ -149,3 +149,26 @@ def test_lines_that_balls_go_over() -> None:
 def test_the_contacts_of_one_ball_are_told_from_its_side() -> None:
     report = Report((Contact(BALL, "cue", "1"), Contact(RAIL, "cue", "top"), Contact(RAIL, "1", "left")))
     assert report.of("1") == (Contact(BALL, "1", "cue"), Contact(RAIL, "1", "left"))
+
+
+@pytest.mark.parametrize(("side", "low", "high"), [(0.4, 0.6, 0.65), (-0.4, 0.55, 0.6)])
+def test_a_curve_goes_furthest_between_its_ends(side: float, low: float, high: float) -> None:
+    """A massé that bends back: where it turns lies within one motion, before the first cushion."""
+    shot = Shot(angle=4.0 if side > 0.0 else -4.0, speed=4.0, side=side, elevation=50.0)
+    roll = simulate(TABLE, Layout([Ball("cue", 0.5, 0.6)]), shot)
+    end = 0.5
+    ends = [motion.y for motion in roll.tracks["cue"] if motion.t0 < end] + [roll.at(end)["cue"].y]
+    seen = [roll.at(end * step / 4000)["cue"].y for step in range(4001)]
+    assert not any(event.rails for event in roll.events if event.t < end)
+    assert _span(roll.tracks["cue"], end, 0.0, 1.0) == pytest.approx((min(seen), max(seen)), abs=1e-6)
+    assert max(seen) - max(ends) > 0.02 or min(ends) - min(seen) > 0.02
+    assert min(seen) <= low
+    assert max(seen) >= high
+
+
+def test_a_ball_that_is_pressed_on_meets_its_cushion_once() -> None:
+    roll = simulate(TABLE, Layout([Ball("cue", 1.0, 0.9)]), Shot(angle=70.0, speed=2.0))
+    events = list(roll.events)
+    at = next(i for i, event in enumerate(events) if event.rails)
+    again = roll.__class__(roll.start, roll.tracks, [*events[: at + 1], events[at], *events[at + 1 :]], truncated=False)
+    assert read(TABLE, again).contacts == read(TABLE, roll).contacts

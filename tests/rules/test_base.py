@@ -84,3 +84,18 @@ def test_every_word_is_used_and_has_no_gap_left(key: str) -> None:
     assert f'"{name}' in sources.replace(f'"{key}":', "") or f'f"{stem}.{{' in sources
     text = label(f"{name}:x") if key.startswith("choice.") else say(Note(key, 0, "1", 2))
     assert "{" not in text
+
+
+@pytest.mark.parametrize("name", GAMES)
+def test_nobody_begins_with_a_foul_or_a_point(name: str) -> None:
+    tables = [load_table(table) for table in ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft", "pyramid-12ft")]
+    rules = game(name, next(table for table in tables if name in games_for(table)))
+    state = rules.start().state
+    assert (set(state.fouls), set(state.scores), state.shots) == ({0}, {0}, 0)
+    assert rules.state_type().fouls == (0, 0)
+
+
+def test_a_state_that_lacks_something_is_refused_in_one_line() -> None:
+    with pytest.raises(InputError, match=r"^state of practice: .*missing.*'who'") as refused:
+        game("practice", TABLE).state({"ask": {"kind": "aim"}})
+    assert "\n" not in str(refused.value)

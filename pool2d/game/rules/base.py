@@ -125,7 +125,8 @@ class Rules(Generic[S]):
 
     A game fills in the class attributes and `start`, `judge` and `picked`. `racks` are the racks it can be played
     from, the first that the table has being taken; `groups` the groups of balls that it needs; `scored` tells
-    whether points are counted, and `series` what those of one turn at the table are called: a run, or a break. `lags_again`: a stalemate is lagged for.
+    whether points are counted, and `series` what those of one turn at the table are called: a run, or a break.
+    `lags_again`: a stalemate is lagged for.
     """
 
     name: ClassVar[str]
