@@ -216,13 +216,3 @@ def _standing(match: Match) -> dict[str, Any]:
     """Where a match stands, and a digest of that."""
     told = moments.told(match.now)
     return {**told, "state": moments.stamp(told)}
-
-
-def digest(match: Match) -> str:
-    """A fingerprint of where a match stands: the state of the game, every bit of the balls, the tallies.
-
-    It is the `state` of the lines of earlier versions, which tell no more of the moment.
-    """
-    now = match.now
-    told = (json.dumps(now.state.as_dict(), sort_keys=True), list(map(tuple, now.layout.values())), now.tallies)
-    return hashlib.sha256(repr(told).encode()).hexdigest()[:16]

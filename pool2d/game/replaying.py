@@ -14,9 +14,10 @@ from ..errors import BudgetError, InputError
 from ..physics.rollout import Rollout
 from . import engine, moments
 from .actions import Action, Stroke, from_dict
+from .earlier import digest
 from .engine import Identity, identity_of
 from .match import Match, Moment
-from .record import ENGINE, REDO, UNDO, Entry, Record, digest
+from .record import ENGINE, REDO, UNDO, Entry, Record
 
 # Why a line does not come out as it says. Of a record of an earlier version, which does not tell what played it,
 # it is UNKNOWN.
