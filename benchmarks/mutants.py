@@ -3,8 +3,8 @@
 First every test is watched once, to know which lines it executes. Then small changes are drawn by the seed, the same
 number in each layer, and made one at a time in a copy of the tree. Only tests that execute the changed line are run,
 the narrowest first, until one fails. Prints each change that none notices, and the share noticed in each layer; the
-exit status is 1 where one was missed. `--at pool2d/physics/motion.py:96` tries every change at a place instead, and
-`--tests` looks at these tests alone. `--map FILE` keeps what the tests execute for the next run, of the same tree.
+exit status is 1 where one was missed. `--at pool2d/physics/motion.py:96` makes changes at a place alone, and `--tests`
+looks at these tests alone. `--map FILE` keeps what the tests execute for the next run, of the same tree.
 """
 
 from __future__ import annotations
@@ -184,26 +184,20 @@ def mutants(layers: list[str], count: int, seed: int) -> list[Mutant]:
     chosen = []
     for layer in layers:
         files = [path.relative_to(ROOT).as_posix() for path in sorted((ROOT / LAYERS[layer]).rglob("*.py"))]
-        every = [mutant for path in files if layer_of(path) == layer for mutant in at(path)]
-        random.Random(f"{seed} {layer}").shuffle(every)
-        real = (one for one in every if one.change.made((ROOT / one.path).read_bytes()) is not None)
-        chosen += [one for one, _ in zip(real, range(count // len(layers)), strict=False)]
+        chosen += drawn([path for path in files if layer_of(path) == layer], count // len(layers), f"{seed} {layer}")
     return chosen
 
 
-def at(path: str, line: int | None = None) -> list[Mutant]:
-    """Every change to a file, or to one of its lines."""
-    changes = sites((ROOT / path).read_bytes())
-    return [Mutant(layer_of(path), path, change) for change in changes if line in (None, change.line)]
-
-
-def chosen_places(places: list[str]) -> list[Mutant]:
-    found = []
+def drawn(places: list[str], count: int, seed: str) -> list[Mutant]:
+    """As many of the changes to these files, or to single lines of them, given as FILE:LINE."""
+    every = []
     for place in places:
         path, _, line = place.partition(":")
-        those = at(path, int(line) if line else None)
-        found += [one for one in those if one.change.made((ROOT / path).read_bytes()) is not None]
-    return found
+        changes = sites((ROOT / path).read_bytes())
+        every += [Mutant(layer_of(path), path, change) for change in changes if line in ("", str(change.line))]
+    random.Random(seed).shuffle(every)
+    real = (one for one in every if one.change.made((ROOT / one.path).read_bytes()) is not None)
+    return [one for _, one in zip(range(count), real, strict=False)]
 
 
 def tell(verdict: Verdict, verbose: bool) -> None:
@@ -221,12 +215,15 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--layer", choices=LAYERS, action="append", help="only this layer; may be given again")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--at", nargs="+", default=[], metavar="FILE[:LINE]", help="every change here instead")
+    parser.add_argument("--at", nargs="+", default=[], metavar="FILE[:LINE]", help="changes here alone")
     parser.add_argument("--tests", nargs="+", default=[], metavar="FILE", help="look at these tests alone")
     parser.add_argument("--map", type=Path, help="take what the tests execute from this file, or keep it there")
     parser.add_argument("--verbose", action="store_true", help="tell of the changes that are noticed too")
     options = parser.parse_args()
-    tried = chosen_places(options.at) or mutants(options.layer or list(LAYERS), options.count, options.seed)
+    if options.at:
+        tried = drawn(options.at, options.count, str(options.seed))
+    else:
+        tried = mutants(options.layer or list(LAYERS), options.count, options.seed)
     begun, verdicts = time.perf_counter(), []
     with tempfile.TemporaryDirectory(prefix="mutants-", ignore_cleanup_errors=True) as folder:
         tree = copy_tree(Path(folder))
