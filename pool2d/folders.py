@@ -7,6 +7,8 @@ import re
 import sys
 from pathlib import Path
 
+from .reader import read_bytes
+
 _NAME = "pool2d"
 
 
@@ -50,7 +52,7 @@ def _linux_pictures() -> Path:
     """The pictures' folder by its name in the user's language (xdg-user-dirs keeps it in a file)."""
     settings = Path(os.environ.get("XDG_CONFIG_HOME") or _home() / ".config") / "user-dirs.dirs"
     try:
-        said = re.search(r'^XDG_PICTURES_DIR="(.+)"', settings.read_text(encoding="utf-8"), re.MULTILINE)
-    except (OSError, UnicodeDecodeError):
+        said = re.search(r'^XDG_PICTURES_DIR="(.+)"', read_bytes(settings).decode("utf-8"), re.MULTILINE)
+    except ValueError:
         said = None
     return Path(said[1].replace("$HOME", str(_home()))) if said else _home() / "Pictures"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import tomllib
 from pathlib import Path
@@ -196,3 +197,14 @@ def test_off_linux_pictures_go_below_the_home(platform: str, monkeypatch: pytest
     assert pictures_folder() == tmp_path / "data" / "pictures"
     (tmp_path / "Pictures").mkdir()
     assert pictures_folder() == tmp_path / "Pictures" / "pool2d"
+
+
+def test_a_pipe_where_linux_keeps_the_name_of_the_folder_is_passed_over(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.delenv("POOL2D_PICTURES", raising=False)
+    monkeypatch.setattr(sys, "platform", "linux")
+    for variable, value in (("HOME", tmp_path), ("XDG_CONFIG_HOME", tmp_path), ("POOL2D_DATA", tmp_path / "data")):
+        monkeypatch.setenv(variable, str(value))
+    os.mkfifo(tmp_path / "user-dirs.dirs")
+    assert pictures_folder() == tmp_path / "data" / "pictures"
