@@ -123,7 +123,8 @@ class App:
         if not (self._drawn and self._still):
             self._draw(self.scene)
             self._drawn = self._still
-            self._name()
+        # Not only when it is drawn: a table may have come without any event.
+        self._name()
         return True
 
     def _draw(self, scene: Scene) -> None:
@@ -242,8 +243,10 @@ class App:
     def _name(self) -> None:
         """Name the window after the table that is seen."""
         seen = ground(self.scene) if self.scene is not None else None
-        stage = seen.stage if isinstance(seen, Play | Replay) else self.play.stage
-        caption = f"pool2d \N{EN DASH} {rulings.table_title(stage.table)}"
+        # What is played on, also before it is drawn for the first time.
+        played = seen if isinstance(seen, Play) else self.play
+        table = seen.stage.table if isinstance(seen, Replay) else played.session.table
+        caption = f"pool2d \N{EN DASH} {rulings.table_title(table)}"
         if caption != self._caption:
             self._caption = caption
             pygame.display.set_caption(printable(caption, 200))
