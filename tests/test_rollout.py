@@ -24,7 +24,7 @@ def test_time_is_clamped_to_the_shot() -> None:
 
 def test_at_an_event_the_ball_is_as_it_was_left() -> None:
     left = {(event.t, ball_id): ball for event in ROLL.events for ball_id, ball in event.after.items()}
-    assert len(left) > 10
+    assert left
     for (t, ball_id), ball in left.items():
         assert ROLL.at(t)[ball_id] == ball
 
