@@ -127,7 +127,8 @@ def begin(tree: Path, arguments: list[str], plugin: Watch | Show, log: Path) -> 
         status = 70
         try:
             _become(tree, log)
-            fixed = ["-n", "0", "-x" if isinstance(plugin, Show) else "-q", "-p", "no:cacheprovider"]
+            # Watched tests take much longer than by themselves, so no limit holds there; `Show` sets its own.
+            fixed = ["-n", "0", "--timeout=0", "-p", "no:cacheprovider", "-x" if isinstance(plugin, Show) else "-q"]
             status = pytest.main([*fixed, *arguments], plugins=[plugin])
         finally:
             os._exit(status)
