@@ -79,7 +79,7 @@ def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf
 def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
     """Draw the guide at a level from LINE up."""
     scale = _scale(view)
-    _line(surface, theme.GUIDE_CUE, guide.cue, view, 1.6 * scale)
+    _line(surface, theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)
     if guide.ghost is None or level < GHOST:
         return
     radius = table.body_of(guide.ghost)[0] * view.scale
@@ -89,8 +89,8 @@ def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: 
     if level > GHOST:
         # The ways on are among those of the whole shot.
         return
-    _line(surface, theme.GUIDE_CUE, guide.after, view, 1.2 * scale)
-    _line(surface, theme.GUIDE_BALL, guide.object, view, 1.8 * scale)
+    _line(surface, theme.GUIDE_CUE, guide.after, view, 1.8 * scale)
+    _line(surface, theme.GUIDE_BALL, guide.object, view, 2.4 * scale)
     if guide.object:
         pen.disc(surface, theme.GUIDE_BALL, view.to_screen(*guide.object[-1]), 3.0 * scale)
 
@@ -114,7 +114,7 @@ def draw_whole(
         if len(rollout.tracks.get(ball.id, ())) > 1:
             look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
             color = cue if ball.id in struck else others or _own(look, style)
-            _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.2 * scale)
+            _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.8 * scale)
             radius, place = table.body_of(ball)[0] * view.scale, view.to_screen(ball.x, ball.y)
             if ball.phase == POCKETED:
                 pen.ring(surface, color, place, radius, 2.0 * scale)

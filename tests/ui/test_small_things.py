@@ -6,6 +6,7 @@ import pygame
 import pytest
 
 from pool2d import load_table
+from pool2d.errors import BudgetError
 from pool2d.game.session import practice
 from pool2d.ui.entry import Entry
 from pool2d.ui.menu import Item, Way
@@ -126,3 +127,16 @@ def test_another_table_on_the_screen_is_as_the_settings_say(hand: Hand) -> None:
     hand.app.step(FRAME)
     assert hand.app.play is other
     assert other.level == 0 and other.stage.style.patterned
+
+
+def test_a_shot_that_the_engine_gives_up_is_told_and_the_balls_stay(two: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = two.play.session.layout
+
+    def gives_up(*given: object, **more: object) -> None:
+        raise BudgetError(50_000, 1.0, {})
+
+    monkeypatch.setattr("pool2d.ui.stage.simulate", gives_up)
+    monkeypatch.setattr(two.play.session, "play", gives_up)
+    two.key(pygame.K_SPACE)
+    assert two.open and two.play.playback is None
+    assert "not over" in two.play.message and two.play.session.layout == before
