@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable
 
 import pool2d
 from pool2d import Ball, Layout, Shot, Table, simulate
+from pool2d.physics.body import Body
 from pool2d.physics.contact import Contacts
-from pool2d.physics.motion import Body
 from tests.scenes import break_shot, random_shot
 
 BREAKS, SHOTS = 15, 400
@@ -55,9 +55,9 @@ def contact(table: Table, law: str) -> float:
         b = Body(Ball("2", 1.0 + 2.0 * radius, y), 1, radius, mass)
         begin = time.perf_counter()
         if law == "ball":
-            contacts.balls(a, b, [a, b])
+            contacts.balls(a, b, [a, b], 0.0)
         else:
-            contacts.cushion(a, rail, [a])
+            contacts.cushion(a, rail, [a], 0.0)
         total += time.perf_counter() - begin
     return 1e6 * total / count
 

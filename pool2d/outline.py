@@ -153,4 +153,4 @@ def _side(a: Corner, b: Corner, c: Corner) -> float:
 
 def _area(corners: Sequence[Corner]) -> float:
     """Twice the area, negative where the corners go round clockwise."""
-    return sum(corners[i - 1].x * here.y - here.x * corners[i - 1].y for i, here in enumerate(corners))
+    return math.fsum(corners[i - 1].x * here.y - here.x * corners[i - 1].y for i, here in enumerate(corners))

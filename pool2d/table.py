@@ -19,8 +19,9 @@ from .errors import InputError, suggest
 from .geometry import CornerKnobs, SideKnobs, TableKnobs, build
 from .knobs import apply
 from .outline import inside, scaled
+from .physics.body import Body
 from .physics.detect import Element, Jaw, Pocket, Rail, time_ball_ball
-from .physics.motion import Body, Motion
+from .physics.motion import Motion
 from .physics.params import Physics
 from .physics.values import MOTION_FIELDS, POCKETED, RESTING, ROLLING, Ball, Layout, Shot
 from .placing import settle

@@ -10,8 +10,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from pool2d import Ball, Layout, Table, simulate
+from pool2d.physics.body import Body
 from pool2d.physics.detect import SKIN
-from pool2d.physics.motion import Body
 from pool2d.physics.params import BallKnobs
 from pool2d.physics.values import SLIDING
 

@@ -9,7 +9,7 @@ import pytest
 
 from pool2d import Ball, Layout, Table, load_table, simulate
 from pool2d.physics.balls import BALL_LAWS, normal
-from pool2d.physics.motion import Body
+from pool2d.physics.body import Body
 from pool2d.physics.params import Physics
 from pool2d.physics.springs import depth, duration, stiffness
 

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from pool2d import Ball
 from pool2d.physics.balls import BALL_LAWS
+from pool2d.physics.body import Body
 from pool2d.physics.cushions import CUSHION_LAWS
-from pool2d.physics.motion import Body
 from pool2d.physics.params import BallKnobs, CushionKnobs, Physics
 
 RADIUS, MASS = 0.028575, 0.17

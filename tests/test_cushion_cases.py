@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import pytest
 
 from pool2d import Ball, Layout, Table, load_table, simulate
+from pool2d.physics.body import Body
 from pool2d.physics.cushions import CUSHION_LAWS
-from pool2d.physics.motion import Body
 from pool2d.physics.params import BallKnobs, Physics
 from pool2d.physics.values import SLIDING
 

@@ -10,10 +10,10 @@ import pytest
 from benchmarks.fuzz import play as fuzz
 from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.physics import springs
+from pool2d.physics.body import Body
 from pool2d.physics.cluster import Group, solve
 from pool2d.physics.cushions import CUSHION_LAWS, mathavan2010
 from pool2d.physics.detect import Rail
-from pool2d.physics.motion import Body
 from pool2d.physics.params import CushionKnobs, Physics
 
 from .checks import assert_sound

@@ -9,8 +9,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from pool2d import Ball
+from pool2d.physics.body import Body
 from pool2d.physics.detect import SKIN, Jaw, Pocket, Rail, time_ball_ball
-from pool2d.physics.motion import Body, Motion, start
+from pool2d.physics.motion import Motion, start
 from pool2d.physics.params import Cloth
 
 from .plays import between

@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pool2d.knobs import apply
+from pool2d.physics.body import Body
 from pool2d.physics.cushions import CUSHION_LAWS
-from pool2d.physics.motion import Body
 from pool2d.physics.params import Physics
 from pool2d.physics.values import Ball
 

@@ -10,7 +10,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from pool2d import Ball
-from pool2d.physics.motion import Body, Motion, finish, pocketed, start, toward_zero
+from pool2d.physics.body import Body
+from pool2d.physics.motion import Motion, finish, pocketed, start, toward_zero
 from pool2d.physics.params import Cloth
 from pool2d.physics.values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import random
 from collections.abc import Callable
 
@@ -10,9 +9,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
+from pool2d import Ball, Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.physics.balls import BALL_LAWS
-from pool2d.physics.contact import MOMENT, PRESSED
 from pool2d.physics.cushions import CUSHION_LAWS
 
 from .checks import assert_sound
@@ -53,28 +51,18 @@ def test_break_under_any_law_is_sound(laws: tuple[str, str]) -> None:
 @settings(max_examples=100)
 @given(plays(TABLE, own_sizes=True), ANY_TABLE)
 def test_balls_that_meet_keep_their_momentum(play: Play, table: Table) -> None:
-    """Except where the cloth has a hand in it: in `mathavan2014`, and where balls are only pressed together."""
+    """Except where the cloth has a hand in it: in `mathavan2014`."""
     assume(table.knobs.ball.law != "mathavan2014")
     layout, shot = play
     meetings = [event for event in simulate(table, layout, shot).events if event.pairs and not event.rails]
     assume(meetings)
     for event in meetings:
-        # At the most, two balls of 0.3 kg feel the cloth's friction of the next moment.
-        pressed = 2.0 * 0.3 * table.knobs.cloth.mu_slide * table.knobs.gravity * MOMENT
-        slack = 1e-12 if nearing(event) > PRESSED else pressed
         for part in ("vx", "vy"):
             before, after = (
                 sum(table.body_of(layout[name])[1] * getattr(ball, part) for name, ball in balls.items())
                 for balls in (event.before, event.after)
             )
-            assert after == pytest.approx(before, abs=slack)
-
-
-def nearing(event: Event) -> float:
-    """How fast the two balls that set an event off near each other, m/s."""
-    a, b = (event.before[name] for name in event.pairs[0])
-    dx, dy = b.x - a.x, b.y - a.y
-    return ((a.vx - b.vx) * dx + (a.vy - b.vy) * dy) / math.hypot(dx, dy)
+            assert after == pytest.approx(before, abs=1e-12)
 
 
 @settings(max_examples=100)

@@ -10,8 +10,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from pool2d import Ball, Layout, load_table
+from pool2d.physics.body import Body
 from pool2d.physics.detect import SKIN, Rail
-from pool2d.physics.motion import Body, Motion
+from pool2d.physics.motion import Motion
 from pool2d.physics.values import POCKETED, RESTING, ROLLING
 
 TABLE = load_table("pool-9ft")

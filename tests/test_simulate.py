@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -109,18 +110,24 @@ def test_equal_input_gives_equal_output_in_any_order(play: Play, rng: random.Ran
 @settings(max_examples=40)
 @given(plays(TABLE))
 def test_nothing_is_lost_on_the_way(play: Play) -> None:
-    """Every ball is accounted for, every change of a ball is an event, and its state is continuous."""
+    """Every ball is accounted for, every change of a ball is an event, and its state is continuous.
+
+    The cloth's friction in portions is no event: a ball gets one just before a contact, and then coasts.
+    """
     layout, shot = play
     roll = simulate(TABLE, layout, shot)
     assert roll.layout().keys() == layout.keys() == roll.tracks.keys()
     assert {event.kind for event in roll.events} <= KINDS
     for ball_id, track in roll.tracks.items():
         mine = [event for event in roll.events if ball_id in event.balls]
-        assert [motion.t0 for motion in track[1:]] == [event.t for event in mine]
-        for event, motion in zip(mine, track[1:], strict=True):
-            before, after = event.before[ball_id], event.after[ball_id]
-            assert after == motion.at(event.t)
+        for old, new in pairwise(track):
+            before, after = old.at(new.t0), new.at(new.t0)
             assert (before.x, before.y) == pytest.approx((after.x, after.y), abs=1e-12)
+            if mine and (mine[0].t, mine[0].after[ball_id]) == (new.t0, after):
+                assert mine.pop(0).before[ball_id] == before
+            else:
+                assert new.coasts() or old.coasts()
+        assert not mine
     for event in roll.events:
         assert event.before.keys() == event.after.keys() == set(event.balls)
         assert all(ball.phase == POCKETED for ball in event.after.values()) == (event.kind == "ball_pocket")

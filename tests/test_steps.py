@@ -10,7 +10,7 @@ import pytest
 
 from pool2d import Ball
 from pool2d.physics import cushions
-from pool2d.physics.motion import Body
+from pool2d.physics.body import Body
 from pool2d.physics.params import BallKnobs, Cloth, CushionKnobs, Physics
 
 State = tuple[float, float, float, float, float]

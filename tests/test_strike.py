@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, given
 
 from pool2d import Ball, InputError, Layout, Shot, load_table, simulate
-from pool2d.physics.motion import Body
+from pool2d.physics.body import Body
 from pool2d.physics.params import Cue
 from pool2d.physics.strike import miscue_limit
 from pool2d.physics.strike import strike as strike_law

@@ -12,7 +12,8 @@ from dataclasses import asdict, fields, replace
 from typing import Any
 
 from ..errors import InputError
-from ..physics.motion import Body, Motion
+from ..physics.body import Body
+from ..physics.motion import Motion
 from ..physics.rollout import Event, Rollout
 from ..physics.values import POCKETED, RESTING, Ball, Layout
 from ..position import read, write

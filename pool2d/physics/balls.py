@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from .gentle import rebound
 
 if TYPE_CHECKING:
-    from .motion import Body
+    from .body import Body
     from .params import Physics
 
 Friction = Callable[[float, "Physics"], float]

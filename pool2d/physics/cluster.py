@@ -16,11 +16,12 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from .body import Body
 from .detect import Element
+from .energy import take_back
 from .gentle import rebound
-from .motion import Body
 from .params import Physics
-from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, duration, stay
+from .springs import STEPS, BallSpring, NoseSpring, Spring, damping
 
 # An impact of balls is over long before this many times the duration of one; a guard, not a limit that is met.
 _LONGEST = 400
@@ -78,18 +79,17 @@ def solve(group: Group, speed: float, physics: Physics) -> tuple[list[BallSpring
     """
     # As two balls alone part at that speed; in thousandths, of which none has to be worked out twice.
     loss = damping(round(rebound(speed, physics.ball.restitution) / speed, 3))
-    pairs = [BallSpring(a, b, gap, loss, physics) for a, b, gap in group.pairs]
+    pairs = [BallSpring(a, b, gap, speed, loss, physics) for a, b, gap in group.pairs]
     noses = [
         NoseSpring(ball, element, gap, sum(ball is other for other, _, _ in group.noses), physics)
         for ball, element, gap in group.noses
     ]
     springs: list[Spring] = [*pairs, *noses]
     before = {ball.index: ball.energy() for spring in springs for ball in spring.balls}
-    fine = max((duration(a, b, speed) for a, b, _ in group.pairs), default=math.inf) / STEPS
-    coarse = max((stay(ball) for ball, _, _ in group.noses), default=0.0) / STEPS or fine
-    time, end = 0.0, STEPS * (_HELD * coarse if noses else _LONGEST * fine)
+    shortest, longest = min(spring.step for spring in springs), max(spring.step for spring in springs)
+    time, end = 0.0, STEPS * longest * (_HELD if noses else _LONGEST)
     while time < end:
-        dt = min([spring.pace(fine, coarse) for spring in springs]) if noses else fine
+        dt = shortest if shortest == longest else min([spring.pace(longest) for spring in springs])
         for spring in springs:
             spring.press(dt)
         for spring in springs:
@@ -97,27 +97,6 @@ def solve(group: Group, speed: float, physics: Physics) -> tuple[list[BallSpring
         if time > dt and not any(spring.depth > 0.0 for spring in springs):
             break
         time += dt
-    met = [spring for spring in springs if spring.met]
-    balls = {ball.index: ball for spring in met for ball in spring.balls}
-    _settle(list(balls.values()), before, any(nose.met for nose in noses))
+    met = {ball.index: ball for spring in springs if spring.met for ball in spring.balls}
+    take_back(list(met.values()), math.fsum([before[index] for index in met]), any(nose.met for nose in noses))
     return [pair for pair in pairs if pair.met], [nose for nose in noses if nose.met]
-
-
-def _settle(balls: list[Body], before: dict[int, float], anchored: bool) -> None:
-    """Take back what the steps' rounding added to the energy, if anything, keeping the momentum.
-
-    Of an elastic impact the steps miss some 1e-4 of the energy, to either side. Balls that are `anchored`
-    by a cushion have no momentum to keep.
-    """
-    surplus = sum(ball.energy() - before[ball.index] for ball in balls)
-    mass = sum(ball.mass for ball in balls)
-    vx, vy = sum(ball.mass * ball.vx for ball in balls) / mass, sum(ball.mass * ball.vy for ball in balls) / mass
-    if anchored:
-        vx = vy = 0.0
-    # The energy of travel about the common centre; it is the springs that the steps round.
-    inner = sum(0.5 * ball.mass * ((ball.vx - vx) ** 2 + (ball.vy - vy) ** 2) for ball in balls)
-    if surplus <= 0.0 or inner <= 0.0:
-        return
-    part = math.sqrt(max(0.0, 1.0 - surplus / inner)) * (1.0 - 1e-15)
-    for ball in balls:
-        ball.vx, ball.vy = vx + part * (ball.vx - vx), vy + part * (ball.vy - vy)

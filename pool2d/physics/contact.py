@@ -7,17 +7,14 @@ from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
 from .balls import BALL_LAWS
+from .body import Body
 from .cluster import Group, facing, linked, solve
 from .cushions import CUSHION_LAWS
-from .detect import Element
-from .motion import Body, start
+from .detect import NOISE, Element
+from .motion import Motion
 from .params import Physics
+from .pressing import Side, press
 from .springs import depth, yielding
-
-# Bodies that meet more slowly than this, m/s, are being pressed together by the cloth's friction.
-# They then feel the friction of the next moment, s, at once, so that they part with a speed and the
-# pressing becomes a few small bounces; it is the same impulse, that much earlier.
-PRESSED, MOMENT = 1e-4, 2e-3
 
 
 class Surroundings(Protocol):
@@ -35,10 +32,14 @@ class Surroundings(Protocol):
 
 
 class Met(NamedTuple):
-    """Which balls touched each other, and which touched which cushions, by name; what set it off first."""
+    """Which balls touched each other, and which touched which cushions, by name; what set it off first.
 
-    pairs: tuple[tuple[Body, Body], ...] = ()
-    rails: tuple[tuple[Body, str], ...] = ()
+    `pressed` has the motions, just before, of balls that the cloth pressed into it (see `pressing`).
+    """
+
+    pairs: tuple[tuple[Body, Body], ...]
+    rails: tuple[tuple[Body, str], ...]
+    pressed: list[Motion]
 
 
 class Contacts:
@@ -54,36 +55,34 @@ class Contacts:
         self.ball_law = BALL_LAWS[self.physics.ball.law]
         self.cushion_law = CUSHION_LAWS[self.physics.cushion.law]
 
-    def cushion(self, ball: Body, element: Element, present: list[Body]) -> Met:
+    def cushion(self, ball: Body, element: Element, present: list[Body], now: float) -> Met:
         """A ball meets a cushion among the balls `present`."""
         nx, ny = element.normal(ball.x, ball.y)
-        if ball.vx * nx + ball.vy * ny < PRESSED:
-            self._hasten(ball)
+        pressed = self._press([Side(ball, nx, ny)], ball.vx * nx + ball.vy * ny, now)
         speed = ball.vx * nx + ball.vy * ny
-        if speed > 0.0:
+        if speed > NOISE:
             # A cushion gives way by far more than a ball: others of its kind are reached from further off.
             group = self._group([ball], present, depth(ball, ball, speed), yielding(ball, speed))
             met = self._together(group, speed, present)
             if met is not None:
                 rails = sorted(met.rails, key=lambda rail: rail != (ball, element.name))
-                return Met(met.pairs, tuple(rails))
-        self.cushion_law(ball, nx, ny, self.physics)
-        return Met(rails=((ball, element.name),))
+                return Met(met.pairs, tuple(rails), pressed)
+            self.cushion_law(ball, nx, ny, self.physics)
+        return Met((), ((ball, element.name),), pressed)
 
-    def balls(self, a: Body, b: Body, present: list[Body]) -> Met:
+    def balls(self, a: Body, b: Body, present: list[Body], now: float) -> Met:
         """Two balls meet among those `present`."""
-        if _approach(a, b) < PRESSED:
-            self._hasten(a)
-            self._hasten(b)
+        nx, ny = _toward(a, b)
+        pressed = self._press([Side(a, nx, ny), Side(b, -nx, -ny)], _approach(a, b), now)
         speed = _approach(a, b)
-        if speed > 0.0:
+        if speed > NOISE:
             room = depth(a, b, speed)
             met = self._together(self._group([a, b], present, room, room), speed, present)
             if met is not None:
                 pairs = sorted(met.pairs, key=lambda pair: pair != (a, b))
-                return Met(tuple(pairs), met.rails)
-        self.ball_law(a, b, self.physics)
-        return Met(((a, b),))
+                return Met(tuple(pairs), met.rails, pressed)
+            self.ball_law(a, b, self.physics)
+        return Met(((a, b),), (), pressed)
 
     def _group(self, first: list[Body], present: list[Body], room: float, yielding: float) -> Group:
         """What the first balls touch, or reach while the impact lasts: `room` away, or a cushion `yielding` away."""
@@ -114,17 +113,20 @@ class Contacts:
             for ball, velocity in before:
                 ball.set_velocity(velocity)
             return None
-        return Met(tuple((pair.a, pair.b) for pair in pairs), tuple((nose.ball, nose.name) for nose in noses))
+        return Met(tuple((pair.a, pair.b) for pair in pairs), tuple((nose.ball, nose.name) for nose in noses), [])
 
-    def _hasten(self, ball: Body) -> None:
-        """Give a ball the cloth's friction of the next moment at once."""
-        x, y = ball.x, ball.y
-        motion = start(ball, 0.0, self.physics.cloth, self.physics.gravity)
-        motion.move(ball, min(MOMENT, motion.t1))
-        ball.x, ball.y = x, y
+    def _press(self, sides: list[Side], approach: float, now: float) -> list[Motion]:
+        return press(sides, approach, now, self.physics.cloth, self.physics.gravity)
 
 
 def _approach(a: Body, b: Body) -> float:
     """How fast two balls near each other in plan, m/s."""
+    nx, ny = _toward(a, b)
+    return (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
+
+
+def _toward(a: Body, b: Body) -> tuple[float, float]:
+    """The unit vector, in plan, from one ball to another."""
     dx, dy = b.x - a.x, b.y - a.y
-    return ((a.vx - b.vx) * dx + (a.vy - b.vy) * dy) / math.hypot(dx, dy)
+    distance = math.hypot(dx, dy)
+    return dx / distance, dy / distance

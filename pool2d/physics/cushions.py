@@ -12,10 +12,11 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
+from .energy import take_back
 from .gentle import rebound
 
 if TYPE_CHECKING:
-    from .motion import Body
+    from .body import Body
     from .params import Physics
 
 CushionLaw = Callable[["Body", float, float, "Physics"], None]
@@ -130,7 +131,9 @@ def mathavan2010(ball: Body, nx: float, ny: float, physics: Physics) -> None:
         state = _moved(state, change, part)
         if last:
             break
+    before = ball.energy()
     _give(ball, nx, ny, *state)
+    take_back((ball,), before, True)
 
 
 def along_nose(ball: Body, nx: float, ny: float) -> State:
@@ -176,11 +179,11 @@ def _friction(
     slip in the middle of the step, or at its end where the slip is so small that it turns on the way.
     """
     end_x, end_y = x + step * drive_x, y + step * drive_y
-    hold_x, hold_y = end_x / (3.5 * step), end_y / (ease_y * step)
-    if hold_x * hold_x + hold_y * hold_y <= limit * limit:
-        return -hold_x, -hold_y
-    x, y = 0.5 * (x + end_x), 0.5 * (y + end_y)
-    if x * x + y * y <= (3.5 * limit * step) ** 2:
+    rest_x, rest_y, most = end_x / 3.5, end_y / ease_y, limit * step
+    if rest_x * rest_x + rest_y * rest_y <= most * most:
+        return -end_x / (3.5 * step), -end_y / (ease_y * step)
+    x, y, turn = 0.5 * (x + end_x), 0.5 * (y + end_y), 3.5 * most
+    if x * x + y * y <= turn * turn:
         x, y = end_x, end_y
     size = limit / math.sqrt(x * x + y * y)
     return -size * x, -size * y

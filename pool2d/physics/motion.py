@@ -10,42 +10,12 @@ from __future__ import annotations
 
 import math
 
+from .body import Body
 from .params import Cloth
 from .values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING, Ball
 
 # Below this a slip or a speed is rounding, m/s.
 STILL = 1e-9
-
-
-class Body:
-    """A ball at the present moment: what contacts change, and what a new motion starts from."""
-
-    __slots__ = ("id", "index", "radius", "mass", "x", "y", "vx", "vy", "wx", "wy", "wz")
-
-    def __init__(self, ball: Ball, index: int, radius: float, mass: float) -> None:
-        self.id = ball.id
-        self.index = index
-        self.radius = radius
-        self.mass = mass
-        self.x = ball.x
-        self.y = ball.y
-        self.vx = ball.vx
-        self.vy = ball.vy
-        self.wx = ball.wx
-        self.wy = ball.wy
-        self.wz = ball.wz
-
-    def velocity(self) -> tuple[float, float, float, float, float]:
-        """Velocity and spin: (vx, vy, wx, wy, wz)."""
-        return self.vx, self.vy, self.wx, self.wy, self.wz
-
-    def set_velocity(self, velocity: tuple[float, float, float, float, float]) -> None:
-        self.vx, self.vy, self.wx, self.wy, self.wz = velocity
-
-    def energy(self) -> float:
-        """Kinetic energy of travel and spin, J."""
-        spin = self.wx * self.wx + self.wy * self.wy + self.wz * self.wz
-        return 0.5 * self.mass * (self.vx**2 + self.vy**2 + 0.4 * self.radius * self.radius * spin)
 
 
 class Motion:
@@ -90,6 +60,10 @@ class Motion:
         body.wy = self.wy + self.by * s
         body.wz = toward_zero(self.wz, self.bz * s)
 
+    def coasts(self) -> bool:
+        """Whether the ball moves without friction, which it has had in advance: only then `wz` lasts."""
+        return self.bz == 0.0 and self.t1 < math.inf
+
     def place(self, t: float) -> tuple[float, float]:
         """Where the ball is at time `t`, m: what `at` says of it."""
         s = t - self.t0
@@ -124,6 +98,8 @@ def start(body: Body, t: float, cloth: Cloth, gravity: float) -> Motion:
     ux = body.vx - radius * body.wy
     uy = body.vy + radius * body.wx
     slip = math.hypot(ux, uy)
+    if t < body.paid and (slip > STILL or math.hypot(body.vx, body.vy) > STILL):
+        return Motion(body, SLIDING if slip > STILL else ROLLING, t, body.paid)
     fall = 2.5 * cloth.mu_spin * gravity / radius
     if slip > STILL:
         grip = cloth.mu_slide * gravity / slip
@@ -143,14 +119,17 @@ def start(body: Body, t: float, cloth: Cloth, gravity: float) -> Motion:
             0.5 * ax, 0.5 * ay, -ay / radius, ax / radius, fall,
         )  # fmt: skip
     body.vx = body.vy = body.wx = body.wy = 0.0
-    if body.wz != 0.0:
+    if radius * abs(body.wz) > STILL:
         return Motion(body, SPINNING, t, t + abs(body.wz) / fall, bz=fall)
+    body.wz = 0.0
     return Motion(body, RESTING, t, math.inf)
 
 
 def finish(motion: Motion, body: Body, cloth: Cloth, gravity: float) -> Motion:
     """What follows `motion` when its phase has run out; `body` is brought to that moment."""
     motion.move(body, motion.t1)
+    if motion.coasts():
+        return start(body, motion.t1, cloth, gravity)
     if motion.phase == SLIDING:
         # Exactly at natural roll: the slip that rounding leaves must not start another slide.
         roll(body, body.vx - body.radius * body.wy, body.vy + body.radius * body.wx)

@@ -74,7 +74,8 @@ def _bracketed(c0: float, c1: float, c2: float, c3: float, c4: float, left: floa
     """The root of a quartic that changes sign between `left` and `right`, by Newton or halving."""
     rising = (((c4 * right + c3) * right + c2) * right + c1) * right + c0 > 0.0
     t = 0.5 * (left + right)
-    for _ in range(100):
+    # Newton's steps are few; halving from a wide interval, down to a root of any size, takes up to two thousand.
+    while True:
         value = (((c4 * t + c3) * t + c2) * t + c1) * t + c0
         if value == 0.0:
             return t
@@ -89,4 +90,3 @@ def _bracketed(c0: float, c1: float, c2: float, c3: float, c4: float, left: floa
         if abs(step - t) <= 2e-16 * (abs(t) + abs(step)) or not left < step < right:
             return step
         t = step
-    return t

@@ -7,9 +7,10 @@ from heapq import heappop, heappush
 from typing import Any, Protocol
 
 from ..errors import BudgetError, InputError
+from .body import Body
 from .contact import Contacts, Met, Surroundings
 from .detect import time_ball_ball
-from .motion import Body, Motion, finish, pocketed, start
+from .motion import Motion, finish, pocketed, start
 from .rollout import Event, Rollout
 from .strike import strike
 from .values import POCKETED, ROLLING, SLIDING, SPINNING, Ball, Layout, Shot
@@ -73,6 +74,7 @@ class _World:
         # Sorted, so that the order in which balls are given is of no consequence.
         balls = sorted(layout.on_table())
         self.bodies = [Body(ball, index, *table.body_of(ball)) for index, ball in enumerate(balls)]
+        self.index = {body.id: body.index for body in self.bodies}
         self.reach = [_reach(body.radius, table.physics.cushion.nose_height) for body in self.bodies]
         self.contacts = Contacts(table, self.reach)
         self.touch = [[2.0 * math.sqrt(a.radius * b.radius) for b in self.bodies] for a in self.bodies]
@@ -84,9 +86,9 @@ class _World:
 
     def strike(self, shot: Shot) -> None:
         shot.check()
-        body = next((body for body in self.bodies if body.id == shot.ball), None)
-        if body is None:
+        if shot.ball not in self.index:
             raise InputError("shot", "shot.ball", shot.ball, "not a ball on the table")
+        body = self.bodies[self.index[shot.ball]]
         if shot.speed > 0.0:
             clean = strike(body, shot, self.physics.cue)
             self.record("cue_ball", None if clean else "miscue", [body])
@@ -109,7 +111,12 @@ class _World:
         body = self.bodies[i]
         if other == -1:
             phase = self.motion[i].phase
+            coasted = self.motion[i].coasts()
             motion = finish(self.motion[i], body, self.physics.cloth, self.physics.gravity)
+            if coasted:
+                self.follow(i, motion)
+                self.predict(i)
+                return
             kind = "sliding_rolling" if phase == SLIDING else "spin_end" if phase == SPINNING else "rolling_resting"
             self.record(kind, None, [body], [motion])
             return
@@ -123,12 +130,14 @@ class _World:
             if self.motion[one.index].t1 < math.inf:
                 self.motion[one.index].move(one, self.now)
         if element is None:
-            self.touched(self.contacts.balls(body, self.bodies[other], present))
+            self.touched(self.contacts.balls(body, self.bodies[other], present, self.now))
         else:
-            self.touched(self.contacts.cushion(body, element, present))
+            self.touched(self.contacts.cushion(body, element, present, self.now))
 
     def touched(self, met: Met) -> None:
         """Note a contact, or several that were one."""
+        for motion in met.pressed:
+            self.follow(self.index[motion.id], motion)
         bodies = {body.index: body for pair in met.pairs for body in pair} | {body.index: body for body, _ in met.rails}
         kind = "cluster" if len(met.pairs) + len(met.rails) > 1 else "ball_ball" if met.pairs else "ball_cushion"
         where = ", ".join(dict.fromkeys(name for _, name in met.rails)) or None
@@ -152,11 +161,15 @@ class _World:
             Event(self.now, kind, where, [self.motion[body.index] for body in bodies], new, pairs, rails)
         )
         for body, motion in zip(bodies, new, strict=True):
-            self.motion[body.index] = motion
-            self.tracks[body.index].append(motion)
-            self.version[body.index] += 1
+            self.follow(body.index, motion)
         for body in bodies:
             self.predict(body.index)
+
+    def follow(self, i: int, motion: Motion) -> None:
+        """Let ball i go on as `motion` has it; what was predicted for it is void."""
+        self.motion[i] = motion
+        self.tracks[i].append(motion)
+        self.version[i] += 1
 
     def predict(self, i: int) -> None:
         """Queue what may come of ball i's new motion: its own next event, and each ball that it may meet.
@@ -183,7 +196,7 @@ class _World:
         for j, other in enumerate(self.motion):
             if j == i or other.phase == POCKETED:
                 continue
-            if other.hx == 0.0 == other.hy:
+            if other.vx == 0.0 == other.vy and other.hx == 0.0 == other.hy:
                 # At rest. A look at the box that the motion stays in spares most of the work.
                 room = touch[j]
                 if not (moves and left - room < other.x < right + room and bottom - room < other.y < top + room):

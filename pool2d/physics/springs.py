@@ -17,8 +17,8 @@ from .detect import TOUCH
 from .gentle import rebound
 
 if TYPE_CHECKING:
+    from .body import Body
     from .detect import Element
-    from .motion import Body
     from .params import Physics
 
 # Stiffness of two pool balls, N/m^1.5, and the radius it was worked out for (Marlow; Alciatore TP B.29).
@@ -33,16 +33,17 @@ _SPENT = 1e-9
 
 
 class Spring(Protocol):
-    """One contact of a cluster."""
+    """One contact of a cluster. `step` is how long a step may be while it is closed, s."""
 
     depth: float
+    step: float
     met: bool
 
     @property
     def balls(self) -> tuple[Body, ...]: ...
 
-    def pace(self, fine: float, coarse: float) -> float:
-        """How long the next step may be, s."""
+    def pace(self, longest: float) -> float:
+        """How long the next step of all may be, s, up to `longest`."""
         ...
 
     def press(self, dt: float) -> None:
@@ -60,13 +61,14 @@ class BallSpring:
     `slip` is the fastest so far: it sets the friction of the whole impact, as it does for two balls alone.
     """
 
-    __slots__ = ("a", "b", "n", "depth", "met", "slip", "stiffness", "loss", "physics", "friction", "impulse")
+    __slots__ = ("a", "b", "n", "depth", "step", "met", "slip", "stiffness", "loss", "physics", "friction", "impulse")
 
-    def __init__(self, a: Body, b: Body, gap: float, loss: float, physics: Physics) -> None:
+    def __init__(self, a: Body, b: Body, gap: float, speed: float, loss: float, physics: Physics) -> None:
         self.a = a
         self.b = b
         self.n = normal(a, b)
         self.depth = -gap
+        self.step = duration(a, b, speed) / STEPS
         self.met = False
         self.slip = 0.0
         # Springs of Hertz: K goes with the root of the effective radius.
@@ -80,12 +82,8 @@ class BallSpring:
     def balls(self) -> tuple[Body, ...]:
         return self.a, self.b
 
-    def pace(self, fine: float, coarse: float) -> float:
-        if self.depth > 0.0:
-            return fine
-        closing = self._closing()
-        # Into the contact, not to its very edge, where rounding would tell whether it is closed.
-        return min(coarse, 0.5 * fine - self.depth / closing) if closing > 0.0 else coarse
+    def pace(self, longest: float) -> float:
+        return _pace(self, self._closing(), longest)
 
     def press(self, dt: float) -> None:
         closing = self._closing()
@@ -128,7 +126,7 @@ class NoseSpring:
     many cushions the ball is in, which together must not hold it by more than one would.
     """
 
-    __slots__ = ("ball", "nx", "ny", "name", "depth", "met", "share", "nose",
+    __slots__ = ("ball", "nx", "ny", "name", "depth", "step", "met", "share", "nose",
                  "stiffness", "deepest", "power", "change")  # fmt: skip
 
     def __init__(self, ball: Body, element: Element, gap: float, share: int, physics: Physics) -> None:
@@ -136,6 +134,7 @@ class NoseSpring:
         self.nx, self.ny = element.normal(ball.x, ball.y)
         self.name = element.name
         self.depth = -gap
+        self.step = stay(ball) / STEPS
         self.met = False
         self.share = share
         self.nose = NOSES[physics.cushion.law](ball.radius, physics)
@@ -148,8 +147,8 @@ class NoseSpring:
     def balls(self) -> tuple[Body, ...]:
         return (self.ball,)
 
-    def pace(self, fine: float, coarse: float) -> float:
-        return coarse
+    def pace(self, longest: float) -> float:
+        return _pace(self, self.ball.vx * self.nx + self.ball.vy * self.ny, longest)
 
     def press(self, dt: float) -> None:
         ball = self.ball
@@ -190,6 +189,14 @@ class NoseSpring:
         ball.wx += (qx * ny + qy * nx) / ball.radius
         ball.wy += (qy * ny - qx * nx) / ball.radius
         ball.wz += qz / ball.radius
+
+
+def _pace(spring: Spring, closing: float, longest: float) -> float:
+    """How long a step may be for a spring that closes at a speed, m/s."""
+    if spring.depth > 0.0:
+        return spring.step
+    # Into the contact, not to its very edge, where rounding would tell whether it is closed.
+    return min(longest, 0.5 * spring.step - spring.depth / closing) if closing > 0.0 else longest
 
 
 def stiffness(a: Body, b: Body) -> float:

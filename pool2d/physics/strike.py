@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from .values import Shot
 
 if TYPE_CHECKING:
-    from .motion import Body
+    from .body import Body
     from .params import Cue, Physics
 
 

@@ -154,7 +154,7 @@ class Hands:
         """Before a new rack: aim at the middle of the balls until the pointer is moved."""
         balls = [ball for ball in layout.on_table() if ball.id != cue.id]
         if balls:
-            x, y = (sum(getattr(ball, axis) for ball in balls) / len(balls) for axis in "xy")
+            x, y = (math.fsum(getattr(ball, axis) for ball in balls) / len(balls) for axis in "xy")
             angle = math.degrees(math.atan2(y - cue.y, x - cue.x))
             self.aim, self.hold = replace(self.aim, angle=round(angle, 2) % 360.0), self.pointer
 

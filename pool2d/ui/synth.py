@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ..physics.motion import Body
+from ..physics.body import Body
 from ..physics.springs import RADIUS, duration
 from ..physics.values import Ball
 

@@ -1,0 +1,68 @@
+"""Lasting contacts: a ball that the cloth's friction keeps pressing against another ball or a cushion.
+
+As impacts alone such a contact is a row of ever lower bounces, endlessly many in a finite time. So while it
+lasts, the cloth gives its friction in portions: where friction would, within a moment, bring two bodies
+together faster than they meet now, the ball gets that moment's friction at once, before the contact is
+solved, and then moves without friction until the moment is over. The friction's impulse is exact, at most a
+moment early. Between two portions the ball hops off what it leans on, by no more than eight times the way on
+which a moment's friction takes a ball from rest: 0.03 mm, or, for a ball that would slide on for more than 64
+moments, 0.2 % of the way on which it would slide. (Moreau's time stepping, for these contacts alone; a pair
+driven by spin goes a way that is 4 % too long, see the tests.)
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from .body import Body, Velocity
+from .motion import Motion, start
+from .params import Cloth
+
+# How far a moment's friction moves a ball that lies still at the least, m.
+HOP = 4e-6
+# A moment is at least this part of the time for which the ball would still slide.
+SHARE = 1.0 / 64.0
+
+
+class Side(NamedTuple):
+    """A ball in a contact, and the unit vector from it to what it touches."""
+
+    ball: Body
+    nx: float
+    ny: float
+
+
+def press(sides: list[Side], approach: float, now: float, cloth: Cloth, gravity: float) -> list[Motion]:
+    """Give the balls of a contact a moment's friction if that adds more than `approach` to how fast they meet, m/s.
+
+    Returns the motions, each without friction, of the balls that have been given it: none where the contact
+    is an impact, or the friction drives the balls apart.
+    """
+    gain = 0.0
+    found = []
+    for ball, nx, ny in sides:
+        if now >= ball.paid:
+            velocity, until = _portion(ball, now, cloth, gravity)
+            more = (velocity[0] - ball.vx) * nx + (velocity[1] - ball.vy) * ny
+            if more > 0.0:
+                gain += more
+                found.append((ball, velocity, until))
+    if approach >= gain:
+        return []
+    for ball, velocity, until in found:
+        ball.set_velocity(velocity)
+        ball.paid = until
+    return [start(ball, now, cloth, gravity) for ball, _, _ in found]
+
+
+def _portion(ball: Body, now: float, cloth: Cloth, gravity: float) -> tuple[Velocity, float]:
+    """A ball's velocity and spin after a moment's friction, and when that is over; the ball stays as it is."""
+    x, y, velocity = ball.x, ball.y, ball.velocity()
+    motion = start(ball, now, cloth, gravity)
+    until = now + max(math.sqrt(2.0 * HOP / (cloth.mu_slide * gravity)), SHARE * (motion.t1 - now))
+    motion.move(ball, min(until, motion.t1))
+    after = ball.velocity()
+    ball.x, ball.y = x, y
+    ball.set_velocity(velocity)
+    return after, until
