@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 from hypothesis import assume, given
@@ -29,7 +30,7 @@ SENT = st.builds(
     PLACE, PLACE, between(-0.1, 0.1), between(1.0, 6.0), SPIN, SPIN,
 )  # fmt: skip
 BALL = ANYWHERE | SENT
-DOWN = st.tuples(PLACE, between(RADIUS, 0.3), SPEED, between(-3.0, 0.0), SPIN, SPIN)
+DOWN = st.tuples(PLACE, between(RADIUS, 0.2), between(-1.0, 1.0), between(-3.0, -0.5), SPIN, SPIN)
 
 
 def move(x: float, y: float, vx: float = 0.0, vy: float = 0.0, wx: float = 0.0, wy: float = 0.0) -> Motion:
@@ -78,6 +79,23 @@ def test_jaws_are_met_when_a_scan_says_so(one: tuple[float, ...], radius: float)
     check(time, [(t, jaw.gap(x, y, RADIUS)) for t, x, y in places(motion, end)], jaw.gap(ball.x, ball.y, RADIUS))
 
 
+def test_what_a_path_reaches_at_any_point_is_met() -> None:
+    """However it bends: the ball is drawn back from a jaw, swerves into a pocket's rim, or passes by all but a hair."""
+    rng, met = random.Random(1), 0
+    for _ in range(2000):
+        way = rng.uniform(0.0, 2.0 * math.pi)
+        motion = move(0.5, 0.5, math.cos(way), math.sin(way), rng.uniform(-200.0, 200.0), rng.uniform(-200.0, 200.0))
+        end, time, turn, radius = motion.t1, rng.uniform(0.0, motion.t1), rng.uniform(0.0, 6.3), rng.uniform(0.01, 0.1)
+        ball = motion.at(time)
+        for kind, reach in ((Jaw, radius + RADIUS), (Pocket, radius)):
+            away = reach - 1e-4
+            element = kind(kind.kind, ball.x + away * math.cos(turn), ball.y + away * math.sin(turn), radius)
+            if element.gap(0.5, 0.5, RADIUS) > 0.0:
+                met += 1
+                assert element.time(motion, RADIUS, end) <= time
+    assert met > 2000
+
+
 @given(BALL)
 def test_pockets_are_met_at_their_rim(one: tuple[float, ...]) -> None:
     pocket = Pocket("pocket", 0.5, 0.5, 0.06)
@@ -101,7 +119,6 @@ def test_rails_are_met_between_their_ends(one: tuple[float, ...]) -> None:
     track = places(motion, end)
     low = next(((t, x) for t, x, y in track if y < RADIUS - 2.0 * SKIN), (math.inf, 0.0))
     on_it = 0.21 < low[1] < 0.79
-    assume(on_it or time < math.inf)
     if on_it:
         # It comes down on the rail, clear of its ends by more than a sample's way.
         assert time <= low[0]

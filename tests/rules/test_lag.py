@@ -77,6 +77,11 @@ def test_what_makes_a_lag_bad(seen: Lagged, note: str) -> None:
     assert ("8" in ruling.layout) == (note == "lag.rest")
 
 
+def test_how_near_a_ball_has_come_is_told_in_millimetres() -> None:
+    ruling = lag(RULES.start(1), Lagged("{0}|right", 0.0823))
+    assert (ruling.notes[0].player, ruling.notes[0].points) == (1, 82)
+
+
 @pytest.mark.parametrize(
     ("first", "second", "winner"),
     [
