@@ -85,6 +85,31 @@ def test_preset_of_your_own(tmp_path: Path) -> None:
     assert math.hypot(red[0].x - red[1].x, red[0].y - red[1].y) == pytest.approx(2.0 * table.knobs.ball.radius)
 
 
+def test_an_outline_may_go_round_either_way(tmp_path: Path) -> None:
+    """A cushion is named with the corner that it leaves: clockwise that is its other end."""
+    corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 0.6), (0.5, 1.0), (0.0, 1.0)]
+    tables = []
+    for order, leaves in ((range(5), 0), (range(4, -1, -1), -1)):
+        lines = ["base = 'carom-10ft'"]
+        for i in order:
+            x, y = corners[i]
+            lines.append(f"[[outline]]\nx = {x}\ny = {y}\ncushion = 'side {(i + leaves) % 5}'")
+        tables.append(load_table(write(tmp_path / f"{leaves}.toml", "\n".join(lines))))
+    names = {(one.cushion, round(one.x, 9), round(one.y, 9)) for one in tables[0].geometry.corners}
+    assert len(names) == 5
+    assert names == {(one.cushion, round(one.x, 9), round(one.y, 9)) for one in tables[1].geometry.corners}
+
+
+@pytest.mark.parametrize(("length", "allowed"), [(80, True), (81, False)])
+def test_a_name_has_up_to_eighty_characters(tmp_path: Path, length: int, allowed: bool) -> None:
+    path, title = write(tmp_path / "mine.toml", f"name = '{'x' * length}'"), "x" * length
+    if allowed:
+        assert load_table(path).title == title
+    else:
+        with pytest.raises(InputError, match="up to 80 characters"):
+            load_table(path)
+
+
 def test_preset_without_a_name_has_its_files(tmp_path: Path) -> None:
     assert load_table(write(tmp_path / "bare.toml", "")).title == "bare"
 

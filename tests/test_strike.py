@@ -113,6 +113,24 @@ def test_miscue_loses_speed_and_turns_from_the_tip() -> None:
     assert speeds[-1] > 0.0
 
 
+@pytest.mark.parametrize(("side", "height"), [(0.3, 0.2), (0.8, 0.0), (-0.6, 0.6), (0.0, -0.9), (0.5, -0.8)])
+def test_spin_is_the_moment_of_the_push_at_the_tip(side: float, height: float) -> None:
+    """Of a level cue, clean or slipping: the push is a line through the tip, along the cue or on the friction cone."""
+    body = struck(Shot(speed=2.0, side=side, height=height), Cue(end_mass=0.0))
+    offset, limit = math.hypot(side, height), math.atan(Cue().tip_friction)
+    # How far the push is turned from the cue's line: the normal leans by asin(offset), the cone is `limit` wide.
+    lean = max(0.0, math.asin(offset) - limit)
+    ahead, aside = math.cos(lean), math.sin(lean) / offset
+    push = (ahead, aside * side, -aside * height)
+    tip = (-math.sqrt(1.0 - offset * offset), -side, height)
+    moment = (
+        tip[1] * push[2] - tip[2] * push[1], tip[2] * push[0] - tip[0] * push[2], tip[0] * push[1] - tip[1] * push[0],
+    )  # fmt: skip
+    vx, vy, *spin = state(body)
+    assert vy / vx == pytest.approx(push[1] / push[0], abs=1e-12)
+    assert spin == pytest.approx([2.5 * vx / push[0] * part for part in moment], abs=1e-12)
+
+
 def test_upright_cue_presses_and_does_not_push() -> None:
     body = struck(Shot(speed=2.0, elevation=90.0))
     assert state(body) == pytest.approx((0.0,) * 5, abs=1e-12)

@@ -9,6 +9,7 @@ from hypothesis import given, reject
 from hypothesis import strategies as st
 
 from pool2d import Ball, InputError, Layout, Table, load_table, simulate
+from pool2d.outline import Corner, distance_to_edge
 from pool2d.physics.detect import Jaw, Rail
 from pool2d.physics.values import POCKETED
 
@@ -174,3 +175,27 @@ def test_changed_copy_leaves_the_table_as_it_was() -> None:
     assert (copy.knobs.cloth.mu_roll, copy.knobs.table.length) == (0.02, 2.0)
     assert copy.set == {"cloth.mu_roll": 0.02, "table.length": 2.0}
     assert max(pocket.x for pocket in copy.geometry.pockets) < 2.1
+
+
+def test_the_outline_goes_round_an_inner_corner_from_nose_to_nose() -> None:
+    table = load_table("l-shape")
+    inner = next(one for one in table.elements if isinstance(one, Jaw) and not one.name.endswith("jaw"))
+    arc = [point for point in table.geometry.outline if math.dist(point, (inner.x, inner.y)) < 1.5 * inner.radius]
+    assert len(arc) > 2
+    assert [math.dist(point, (inner.x, inner.y)) for point in arc] == pytest.approx([inner.radius] * len(arc))
+    for end in (arc[0], arc[-1]):
+        assert any(
+            math.dist(end, tip) < 1e-9
+            for one in table.elements
+            if isinstance(one, Rail)
+            for tip in ((one.ax, one.ay), (one.bx, one.by))
+        )
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "distance"), [(1.5, 2.0, 0.0), (-3.0, -4.0, 5.0), (6.0, 8.0, 5.0), (0.7, 2.4, 0.88), (2.3, 1.6, 0.88)]
+)
+def test_distance_to_a_slanting_edge(x: float, y: float, distance: float) -> None:
+    edge = (Corner(0.0, 0.0, "a"), Corner(3.0, 4.0, "b"))
+    assert distance_to_edge(x, y, edge) == pytest.approx(distance, abs=1e-12)
+    assert distance_to_edge(x, y, edge[::-1]) == pytest.approx(distance, abs=1e-12)

@@ -67,6 +67,8 @@ def test_a_ball_pushed_without_spin_begins_to_turn_as_it_slides() -> None:
         {"vx": 0.8, "wx": 40.0, "wy": -60.0, "wz": 80.0},
         {"vx": 0.5, "wy": 0.5 / RADIUS, "wz": 60.0},
         {"vy": -0.4, "wx": 25.0, "wy": 70.0, "wz": -30.0},
+        # Its spin about the vertical runs out on the way.
+        {"vx": 0.5, "vy": 0.2, "wx": -0.2 / RADIUS, "wy": 0.5 / RADIUS, "wz": 6.0},
     ],
 )
 def test_where_the_axis_moves_small_steps_agree(state: dict[str, float]) -> None:
