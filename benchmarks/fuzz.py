@@ -1,9 +1,10 @@
 """Random shots that look for a fault: `python -m benchmarks.fuzz --shots 100000 --seed 0 --jobs 2`.
 
 A third of the balls are frozen to a rail or to another ball; speeds go to 12 m/s; one layout in eight
-has balls of several sizes. A shot has to end, with every number finite, no overlap above 1 nm, every ball
-on the table and no event that adds energy. Prints how to repeat each shot that fails, and a line of
-totals; the exit status is 1 where one failed.
+has balls of several sizes. With `--wide` tables, layouts and shots come from the whole range of everything
+(see `wide`). A shot has to end, with every number finite, no overlap above 1 nm, every ball on the table, no
+event that adds energy, and the same bits with its balls in another order. Prints how to repeat each shot that
+fails, and a line of totals; the exit status is 1 where one failed.
 """
 
 from __future__ import annotations
@@ -26,15 +27,21 @@ from pool2d import Ball, BudgetError, Layout, Rollout, Shot, Table, load_table, 
 from pool2d.physics.motion import Motion
 from pool2d.physics.values import POCKETED, RESTING
 
+from .wide import wide
+
 NANOMETRE = 1e-9
 SIZES = ((None, None), (0.0255, 0.12), (0.034, 0.28))
 # A shot that computes for longer than this, s, is taken not to end.
 PATIENCE = 60
+# One that takes more CPU than this, s, is counted as slow.
+SLOW = 2.0
+# Shots of fewer events are played again with their balls in another order.
+_SHORT = 200
 Floats = NDArray[np.float64]
 
 
 class Result(NamedTuple):
-    """One shot: its number, what is wrong with it, how many events it took, and how long to compute."""
+    """One shot: its number, what is wrong with it, how many events it took, and how much CPU, s."""
 
     number: int
     faults: list[str]
@@ -84,15 +91,23 @@ def toward(ball: Ball, layout: Layout, rng: random.Random) -> float:
 
 
 def play(table: Table, seed: int, number: int) -> Result:
-    """Simulate one shot and look for faults."""
-    layout, shot = scene(table, f"{seed} {number}")
-    start = time.perf_counter()
+    """Simulate one shot of `scene` and look for faults."""
+    return examine(number, table, *scene(table, f"{seed} {number}"))
+
+
+def examine(number: int, table: Table, layout: Layout, shot: Shot | None) -> Result:
+    """Simulate a shot and look for faults; whatever it raises is one."""
+    start = time.process_time()
     try:
         roll = simulate(table, layout, shot)
-    except (BudgetError, TimeoutError) as error:
-        return Result(number, [str(error)], 0, time.perf_counter() - start)
-    seconds = time.perf_counter() - start
-    return Result(number, list(faults(table, roll)), len(roll.events), seconds)
+        seconds = time.process_time() - start
+        wrong = list(faults(table, roll))
+        if len(roll.events) < _SHORT:
+            other = simulate(table, Layout(reversed(list(layout.values()))), shot)
+            wrong += [] if other.digest() == roll.digest() else ["the order of the balls tells"]
+    except (BudgetError, TimeoutError, ArithmeticError, ValueError, LookupError) as error:
+        return Result(number, [f"{type(error).__name__}: {error}"], 0, time.process_time() - start)
+    return Result(number, wrong, len(roll.events), seconds)
 
 
 def faults(table: Table, roll: Rollout) -> Iterator[str]:
@@ -154,20 +169,22 @@ def misplaced(table: Table, ball: Ball, x: Floats, y: Floats) -> Iterator[str]:
 
 
 class _Worker:
-    """What each process keeps: its own table, for a Space must stay within one."""
+    """What each process keeps: its own table, for a Space must stay within one; None where each shot has one."""
 
-    table: Table
+    table: Table | None
     seed: int
 
     @classmethod
-    def prepare(cls, source: str, overrides: dict[str, Any], seed: int) -> None:
-        cls.table, cls.seed = load_table(source, overrides), seed
+    def prepare(cls, source: str | None, overrides: dict[str, Any], seed: int) -> None:
+        cls.table, cls.seed = load_table(source, overrides) if source else None, seed
         signal.signal(signal.SIGALRM, _give_up)
 
     @classmethod
     def play(cls, number: int) -> Result:
         signal.alarm(PATIENCE)
         try:
+            if cls.table is None:
+                return examine(number, *wide(f"{cls.seed} {number}"))
             return play(cls.table, cls.seed, number)
         finally:
             signal.alarm(0)
@@ -193,23 +210,28 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--table", default="pool-9ft")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="override a knob")
+    parser.add_argument("--wide", action="store_true", help="any table, any knobs, any layout")
     options = parser.parse_args()
     overrides = dict(map(_override, options.set))
     load_table(options.table, overrides)  # Says what is wrong with it before there are processes.
+    source = None if options.wide else options.table
     numbers = range(options.first, options.first + options.shots)
     begun = time.perf_counter()
-    events, failed, slowest = 0, 0, Result(0, [], 0, 0.0)
-    with Pool(options.jobs, _Worker.prepare, (options.table, overrides, options.seed)) as pool:
+    events, failed, slow, slowest, longest = 0, 0, 0, Result(0, [], 0, 0.0), Result(0, [], 0, 0.0)
+    with Pool(options.jobs, _Worker.prepare, (source, overrides, options.seed)) as pool:
         for result in pool.imap_unordered(_Worker.play, numbers, chunksize=8):
             events += result.events
+            slow += result.seconds > SLOW
             slowest = max(slowest, result, key=lambda one: one.seconds)
+            longest = max(longest, result, key=lambda one: one.events)
             if result.faults:
                 failed += 1
                 again = f"--seed {options.seed} --first {result.number} --shots 1"
                 print(f"{again}: {'; '.join(result.faults[:3])}", flush=True)
     print(
-        f"{options.shots} shots, {failed} failed, {events} events, {time.perf_counter() - begun:.0f} s; the slowest,"
-        f" number {slowest.number}, took {slowest.seconds:.2f} s and {slowest.events} events"
+        f"{options.shots} shots, {failed} failed, {events} events, {time.perf_counter() - begun:.0f} s;"
+        f" {slow} took more than {SLOW:g} s of CPU, the slowest, number {slowest.number}, {slowest.seconds:.2f} s;"
+        f" the most events were {longest.events}, of number {longest.number}"
     )
     return 1 if failed else 0
 

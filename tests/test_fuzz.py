@@ -7,7 +7,8 @@ from collections.abc import Callable
 
 import pytest
 
-from benchmarks.fuzz import faults, play
+from benchmarks.fuzz import examine, faults, play
+from benchmarks.wide import wide
 from pool2d import Ball, Layout, Rollout, load_table, simulate
 from pool2d.physics.values import ROLLING
 
@@ -18,6 +19,12 @@ def test_shots_are_sound() -> None:
     results = [play(TABLE, 1, number) for number in range(150)]
     assert [result for result in results if result.faults] == []
     assert sum(result.events for result in results) > 1500
+
+
+def test_shots_from_the_whole_range_of_everything_are_sound() -> None:
+    results = [examine(number, *wide(f"1 {number}")) for number in range(60)]
+    assert [result for result in results if result.faults] == []
+    assert sum(result.events for result in results) > 500
 
 
 def overlap(roll: Rollout) -> None:

@@ -27,7 +27,7 @@ from .springs import STEPS, BallSpring, NoseSpring, Spring, damping
 _LONGEST = 400
 # A ball that its own spin presses into a cushion could stay there as long as it spins. After this many times
 # the duration of a rebound that is no impact any more, and the cloth's friction has to be reckoned with.
-_HELD = 8
+_HELD = 4
 
 
 class Group(NamedTuple):
@@ -81,7 +81,7 @@ def solve(group: Group, speed: float, physics: Physics) -> tuple[list[BallSpring
     loss = damping(round(rebound(speed, physics.ball.restitution) / speed, 3))
     pairs = [BallSpring(a, b, gap, speed, loss, physics) for a, b, gap in group.pairs]
     noses = [
-        NoseSpring(ball, element, gap, sum(ball is other for other, _, _ in group.noses), physics)
+        NoseSpring(ball, element, gap, [other for other, _, _ in group.noses].count(ball), physics)
         for ball, element, gap in group.noses
     ]
     springs: list[Spring] = [*pairs, *noses]
