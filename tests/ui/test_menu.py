@@ -121,7 +121,8 @@ def test_a_table_is_chosen_for_practice(guest: Hand) -> None:
     shelf = guest.app.scene
     assert isinstance(shelf, TableShelf)
     entries = {line.label: line for line in shelf.form.widgets if isinstance(line, Entry)}
-    assert entries["Snooker, 12 ft"].below == "Snooker" and entries["Pyramid, 12 ft"].below == ""
+    assert entries["Snooker, 12 ft"].below == "Snooker, Six-red snooker"
+    assert entries["Pyramid, 12 ft"].below == "Free pyramid"
     assert "nothing" in entries["odd"].below
     shelf.form.focus = entries["odd"]
     guest.key(pygame.K_RETURN)
