@@ -84,7 +84,12 @@ class NewMatch(Dialog):
         """Why no match can start as it is set up; empty where one can."""
         if self._loaded() is None:
             return self._errors[self.table]
-        return "" if self.game and self._fits(self.table) else say("match.no_game")
+        if self.game and self._fits(self.table):
+            return ""
+        table = self._title(self.table)
+        if self.game and any(self._fits(self.table, game) for game in self.games):
+            return say("match.other_game", game=_game(self.game), table=table)
+        return say("match.no_game", table=table)
 
     @property
     def names(self) -> tuple[str, ...]:

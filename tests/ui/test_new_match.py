@@ -159,16 +159,27 @@ def test_a_game_is_offered_the_tables_that_it_can_be_played_on_alone(guest: Hand
     assert dialog(guest).game == games[0]
 
 
-def test_where_no_game_can_be_played_none_starts_and_it_is_told(guest: Hand, tmp_path: Path) -> None:
+def test_a_game_that_the_table_is_none_for_does_not_start_and_it_is_told(guest: Hand) -> None:
     dialog(guest)._take_table("l-shape")
     dialog(guest).game = "snooker"
     start = widget(guest, "Start")
-    assert isinstance(start, Button) and start.barred() and "No game" in dialog(guest).barred
+    assert isinstance(start, Button) and start.barred()
+    assert dialog(guest).barred.startswith("An L has not the balls and the rack for Snooker.")
     click(guest, start.rect.center)
     assert isinstance(guest.app.scene, NewMatch) and guest.play.session.free
     dialog(guest).form.focus = start
     guest.key(pygame.K_RETURN)
     assert isinstance(guest.app.scene, NewMatch)
+
+
+def test_a_table_without_balls_has_no_game_and_it_is_told(guest: Hand, tmp_path: Path) -> None:
+    bare = tmp_path / "bare.toml"
+    bare.write_text('name = "Bare"\n')
+    assert games_for(load_table(str(bare))) == [PRACTICE]
+    opened = NewMatch(guest.play, Store(), load_table(str(bare)), lambda session: guest.play)
+    assert opened.barred == "Bare has not the balls and the rack of any game. Choose another table."
+    opened.start()
+    assert opened.update(0.0) is opened
 
 
 def test_a_button_that_is_barred_is_grey(guest: Hand) -> None:
