@@ -112,6 +112,9 @@ def stroke(table: Table, ruling: Ruling, rng: random.Random) -> tuple[Shot, Call
         for ball in on
         for pocket in table.geometry.pockets
     ]
+    if not on:
+        # A player who lags after a ball that fell is alone on the table.
+        return Shot(angle=rng.uniform(0.0, 360.0), speed=speed, ball=struck), Call()
     if not ways or rng.random() < 0.1:
         target = rng.choice(on)
         angle, ball, pocket = math.degrees(math.atan2(target.y - cue.y, target.x - cue.x)), target, ""

@@ -47,6 +47,7 @@ class Replay:
         self.store = store or Store()
         self.sounds = sounds or Sounds()
         self.stage = Stage(reel[0].match.table)
+        self.stage.cue_counts = reel[0].match.rules.cue_counts
         self.timeline = Timeline()
         self.vectors = self.geometry = False
         self.at = 0

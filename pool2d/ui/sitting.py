@@ -48,6 +48,7 @@ class Sitting:
         self.session = session
         self.sounds = sounds or Sounds()
         self.stage = Stage(session.table)
+        self.stage.cue_counts = session.match.rules.cue_counts
         self.hands = Hands()
         self.level = guide.GHOST
         self.playback: Playback | None = None
@@ -136,6 +137,7 @@ class Sitting:
         self.tuning = None
         self.session.leave()
         self.session = session
+        self.stage.cue_counts = session.match.rules.cue_counts
         self.referee = Referee()
         self.told = self._welcome if session.free else self._verdict
         self._who = session.ask.who

@@ -28,11 +28,15 @@ _GLOW, _LIGHT = (1.9, 1.65, 1.4, 1.2), 34
 
 
 class Stage:
-    """The surface being drawn on, the table, and where the one is on the other; `style` is how balls are drawn."""
+    """The surface being drawn on, the table, and where the one is on the other; `style` is how balls are drawn.
+
+    The table's cue ball is not among those that are `down` for good, unless in the game that is played it `cue_counts`.
+    """
 
     def __init__(self, table: Table) -> None:
         self.table = table
         self.style = theme.PLAIN
+        self.cue_counts = False
         self.keeper = Keeper()
         self.bars = hud.KeptBars()
         # Where the last frame has drawn over the table, told by who draws the frame; None where the next one is to be
@@ -96,12 +100,12 @@ class Stage:
             for ball in layout.on_table()
             if ball.id != but
         ]
-        self._down = [ball for ball in down if ball != self.table.furniture.cue]
+        self._down = [ball for ball in down if self.cue_counts or ball != self.table.furniture.cue]
         return ball_art.draw_all(surface, balls, self.style)
 
     @property
     def down(self) -> tuple[str, ...]:
-        """The balls, but the cue ball, that had fallen when the table was drawn last, in their order."""
+        """The balls that had fallen for good when the table was drawn last, in their order."""
         return tuple(self._down)
 
     def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:

@@ -73,6 +73,21 @@ def test_free_pyramid(case: Case) -> None:
     assert result("free-pyramid", PYRAMID, case, "scores") == case.ruling
 
 
+@pytest.mark.parametrize(
+    ("said", "balls"),
+    [
+        ("cue-5 cue>", ("cue",)),
+        ("cue-5 5> cue>", ("5", "cue")),
+        ("cue-5 5|", ()),
+        ("cue-5 cue^ 5>", ()),
+        ("5> cue>", ()),
+    ],
+)
+def test_every_ball_that_counts_is_a_pot_at_free_pyramid(said: str, balls: tuple[str, ...]) -> None:
+    rules, ruling = judged("free-pyramid", PYRAMID, Case("", "", "", "", said, ""), shoots)
+    assert set(rules.pots(0, report(said), ruling)) == set(balls)
+
+
 @pytest.mark.parametrize("name", presets())
 def test_every_shipped_table_has_a_game(name: str) -> None:
     assert set(games_for(load_table(name))) - {"practice"} or name == "l-shape"

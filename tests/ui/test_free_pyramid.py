@@ -8,12 +8,16 @@ from typing import Any
 import pygame
 import pytest
 
-from pool2d import InputError
+from pool2d import Ball, InputError, Layout
 from pool2d.game.actions import Stroke
+from pool2d.game.record import load
 from pool2d.game.recorder import Recorder
+from pool2d.game.reel import Reel
 from pool2d.game.rules import Ruling
 from pool2d.game.session import Session
+from pool2d.physics.values import POCKETED
 from pool2d.ui import play_art
+from pool2d.ui.replay_scene import Replay
 
 from .at_match import begin
 from .conftest import FRAME, Hand
@@ -78,6 +82,34 @@ def test_the_ball_taken_is_aimed_struck_and_recorded(hand: Hand) -> None:
     assert isinstance(session.recorder, Recorder)
     hand.wait_for_rest()
     assert session.cue.id == session.ask.ball
+
+
+def test_the_ball_without_a_number_is_seen_in_the_tray_once_it_has_scored(hand: Hand) -> None:
+    session = under_way(hand)
+    corner = next(pocket for pocket in session.table.geometry.pockets if pocket.name == "top-right")
+    on_the_way = (Ball(ball, corner.x - far, corner.y - far) for ball, far in (("cue", 0.12), ("5", 0.3)))
+    balls = Layout((*on_the_way, Ball("7", 1.0, 0.5)))
+    rules: Any = session.match.rules
+    state = rules._aiming(session.match.state, balls, 0)
+    session.match._past[-1] = replace(session.match.now, ruling=Ruling(state, balls))
+    click(hand, "5")
+    hand.play.hands.aim = replace(hand.play.hands.aim, angle=45.0, speed=2.0)
+    hand.strike()
+    hand.app.step(FRAME)
+    assert session.layout["cue"].phase == POCKETED and not session.ruling.foul
+    assert "cue" in hand.play.stage.down
+    # At a game in which it comes back it is none of those that are down.
+    begin(hand)
+    hand.app.step(FRAME)
+    assert not hand.play.stage.cue_counts
+
+
+def test_so_it_is_where_a_record_is_shown(hand: Hand) -> None:
+    session = begin(hand, "free-pyramid", "pyramid-12ft")
+    hand.strike()
+    session.leave()
+    assert isinstance(session.recorder, Recorder)
+    assert Replay(Reel(load(session.recorder.path))).stage.cue_counts
 
 
 def test_taking_back_goes_back_to_the_ball_that_was_struck_before(hand: Hand) -> None:

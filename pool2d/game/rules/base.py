@@ -126,7 +126,7 @@ class Rules(Generic[S]):
     A game fills in the class attributes and `start`, `judge` and `picked`. `racks` are the racks it can be played
     from, the first that the table has being taken; `groups` the groups of balls that it needs; `scored` tells
     whether points are counted, and `series` what those of one turn at the table are called: a run, or a break.
-    `lags_again`: a stalemate is lagged for.
+    `lags_again`: a stalemate is lagged for. `cue_counts`: a ball that was struck and falls is a pot, and stays down.
     """
 
     name: ClassVar[str]
@@ -137,6 +137,7 @@ class Rules(Generic[S]):
     scored: ClassVar[bool] = False
     series: ClassVar[str] = "run"
     lags_again: ClassVar[bool] = False
+    cue_counts: ClassVar[bool] = False
     options_type: ClassVar[type[Options]] = Options
     state_type: ClassVar[type[State]] = State
 
@@ -193,8 +194,8 @@ class Rules(Generic[S]):
         """
         if ruling.foul or ruling.ask.who != who:
             return ()
-        spotted = dict(ruling.spotted)
-        return tuple(ball for ball in report.potted if ball not in spotted)
+        spotted, fell = dict(ruling.spotted), report.fallen if self.cue_counts else report.potted
+        return tuple(ball for ball in fell if ball not in spotted)
 
     def state(self, data: Mapping[str, Any]) -> S:
         """A state from what `as_dict` made of it; raises InputError."""

@@ -29,7 +29,7 @@ class FreePyramid(Rules[State]):
 
     name = "free-pyramid"
     title = "Free pyramid"
-    scored = True
+    scored = cue_counts = True
     racks = ("pyramid",)
     groups = ("white",)
 
