@@ -114,6 +114,11 @@ def test_preset_without_a_name_has_its_files(tmp_path: Path) -> None:
     assert load_table(write(tmp_path / "bare.toml", "")).title == "bare"
 
 
+def test_a_table_without_marks_has_a_head_spot_at_a_quarter_of_its_length(tmp_path: Path) -> None:
+    table = load_table(write(tmp_path / "bare.toml", "[table]\nlength = 2.4\nwidth = 1.2"))
+    assert table.furniture.spots == {"head": pytest.approx((0.6, 0.6))}
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [

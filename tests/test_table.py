@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from hypothesis import given, reject
@@ -177,12 +179,20 @@ def test_changed_copy_leaves_the_table_as_it_was() -> None:
     assert max(pocket.x for pocket in copy.geometry.pockets) < 2.1
 
 
-def test_the_outline_goes_round_an_inner_corner_from_nose_to_nose() -> None:
-    table = load_table("l-shape")
+@pytest.mark.parametrize("quarters", range(4))
+def test_the_outline_goes_round_an_inner_corner_from_nose_to_nose(tmp_path: Path, quarters: int) -> None:
+    corners = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.0), (0.0, 0.0), (0.0, 0.5), (-0.5, 0.5)]
+    for _ in range(quarters):
+        corners = [(-y, x) for x, y in corners]
+    lines = [f"[[outline]]\nx = {x + 0.5}\ny = {y + 0.5}\ncushion = 'side {i}'" for i, (x, y) in enumerate(corners)]
+    (tmp_path / "l.toml").write_text("\n".join(["base = 'carom-10ft'", *lines]), encoding="utf-8")
+    table = load_table(str(tmp_path / "l.toml"))
     inner = next(one for one in table.elements if isinstance(one, Jaw) and not one.name.endswith("jaw"))
     arc = [point for point in table.geometry.outline if math.dist(point, (inner.x, inner.y)) < 1.5 * inner.radius]
     assert len(arc) > 2
     assert [math.dist(point, (inner.x, inner.y)) for point in arc] == pytest.approx([inner.radius] * len(arc))
+    # In small steps all the way, which is a quarter of a circle.
+    assert max(math.dist(one, other) for one, other in pairwise(arc)) < inner.radius / 3.0
     for end in (arc[0], arc[-1]):
         assert any(
             math.dist(end, tip) < 1e-9
