@@ -126,6 +126,9 @@ def begin(tree: Path, arguments: list[str], plugin: Watch | Show, log: Path) -> 
     if process == 0:
         status = 70
         try:
+            if isinstance(plugin, Show):
+                # With all that it starts it may have to be killed; while tests are watched, Ctrl+C ends them too.
+                os.setpgid(0, 0)
             _become(tree, log)
             # Watched tests take much longer than by themselves, so no limit holds there; `Show` sets its own.
             fixed = ["-n", "0", "--timeout=0", "-p", "no:cacheprovider", "-x" if isinstance(plugin, Show) else "-q"]
@@ -137,7 +140,6 @@ def begin(tree: Path, arguments: list[str], plugin: Watch | Show, log: Path) -> 
 
 def _become(tree: Path, log: Path) -> None:
     """Make this process one that was started in the tree."""
-    os.setpgid(0, 0)
     out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
     os.dup2(out, 1)
     os.dup2(out, 2)
