@@ -12,7 +12,7 @@ from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from .match import Match, Moment
 from .recorder import Recorder, record, remove
 from .report import Call
-from .rules import PLACE, Ask, Choice, Ruling
+from .rules import AIM, PLACE, Ask, Choice, Ruling
 from .rules.spotting import may_place
 from .setup import Setup
 
@@ -76,6 +76,13 @@ class Session:
     def movable(self) -> bool:
         """Whether the cue ball may be placed now, be it in hand or on the table."""
         return bool(self.ask.where)
+
+    @property
+    def given(self) -> bool:
+        """Whether a foul has given the cue ball, which lies on the table, into the hand, and nobody has put it down."""
+        now = self.match.now
+        played = not self.free and self.match.state.shots > 0 and not placing(now)
+        return played and self.ask.kind == AIM and self.movable
 
     @property
     def last(self) -> Moment | None:

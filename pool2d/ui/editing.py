@@ -15,6 +15,7 @@ import pygame
 
 from ..errors import InputError
 from ..game import arranging
+from ..game.match import Moment
 from ..physics.values import Ball
 from .keys import KEYS
 from .telling import ball_name, begun
@@ -51,6 +52,8 @@ class Editing:
     def __init__(self, play: Play) -> None:
         self.play = play
         self._grip: Grip | None = None
+        # The moment whose cue ball has been put into the hand.
+        self._given: Moment | None = None
         self.keys: dict[str, Callable[[], None]] = {
             "next_ball": self.next_ball,
             "add_ball": self.add,
@@ -75,9 +78,20 @@ class Editing:
             return False
         return True
 
+    def give(self) -> None:
+        """Put a cue ball that a foul has given into the hand, from where it lies: once, lest it come back by itself."""
+        play, now = self.play, self.play.session.match.now
+        if play.playback is None and not play.hands.busy and self._given is not now:
+            self._given = now
+            if play.session.given and not play.in_hand.ball:
+                play.in_hand.take(play.session.cue.id)
+                play.hands.hold = play.hands.pointer
+
     def let_go(self) -> None:
-        """Put back what is held, as if nothing had been done."""
+        """Put back what is held, as if nothing had been done: what the rules gave is given again."""
         self._grip = None
+        if self.play.in_hand.ball:
+            self._given = None
         self.play.in_hand.let_go()
 
     def cancel(self) -> bool:
@@ -85,6 +99,7 @@ class Editing:
         if not self.play.in_hand.ball:
             return False
         self.let_go()
+        self._given = self.play.session.match.now
         self._tell(lambda: say("edit.put_back"))
         return True
 

@@ -61,7 +61,10 @@ class InHand:
         return {KITCHEN: say("play.only_kitchen"), D: say("play.only_d")}.get(where, say("play.no_room"))
 
     def place(self, session: Session) -> bool:
-        """Put it down; False, and it is still held, where it may not stand."""
+        """Put it down; False, and it is still held, where it may not stand. Unmoved it just stays where it lies."""
+        if self.ball in session.layout and self.at is None:
+            self.let_go()
+            return True
         ball = self.held(session)
         if ball is None or not self.may_stand(session):
             return False

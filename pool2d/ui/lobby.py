@@ -180,7 +180,7 @@ class Lobby:
         def begin_again() -> Scene:
             session.stalemate()
             self.play.drop()
-            self.play.told = lambda: self.play.referee.verdict(session)
+            self.play.tell_the_word()
             return self.play
 
         return Confirm(menu, say("pause.stalemates"), say("pause.stalemate"), begin_again)

@@ -238,6 +238,7 @@ class Play(Sitting):
 
     def update(self, dt: float) -> Scene | None:
         self.pass_time(dt)
+        self.editing.give()
         scene, self._next = self._next or self, None
         return scene
 

@@ -89,8 +89,8 @@ class Referee:
             return say("referee.pocket_next", ball=named, key=KEYS.shown("call"))
         return say("referee.called", ball=named, where=telling.place_name(pocket))
 
-    def verdict(self, session: Session) -> str:
-        """What the last ruling says, in sentences, and what it leaves to the player."""
+    def verdict(self, session: Session, held: bool = False) -> str:
+        """What the last ruling says, in sentences, and what it leaves to the player, who may have a ball in hand."""
         ask = session.ask
         # To put the cue ball down is no news.
         moment = next(moment for moment in reversed(session.match.history) if not placing(moment))
@@ -100,7 +100,9 @@ class Referee:
         if self.calls.pockets(session) and not (self.calls.ball or self.calls.pocket):
             said.append(say("referee.may_call"))
         if ask.where and ask.kind in (AIM, PLACE):
-            said.append(say(f"referee.{'movable' if ask.kind == AIM else 'put'}.{ask.where}"))
+            said.append(say(f"referee.{'put' if held else 'movable'}.{ask.where}"))
+            if held and ask.kind == AIM:
+                said.append(say("referee.leave", key=KEYS.shown("cancel")))
         if ask.kind == OVER:
             said.append(say("referee.over", key=KEYS.shown("strike")))
         return " ".join(said)

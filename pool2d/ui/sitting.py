@@ -93,7 +93,7 @@ class Sitting:
         return say("play.welcome", help=KEYS.shown("help"))
 
     def _verdict(self) -> str:
-        return self.referee.verdict(self.session)
+        return self.referee.verdict(self.session, self.in_hand.held(self.session) is not None)
 
     def tell_the_word(self) -> None:
         """Tell what is told where there is nothing else to tell."""
