@@ -243,7 +243,7 @@ def test_fast_forward_while_tab_is_held(hand: Hand) -> None:
 def test_replay_shows_the_last_shot_and_changes_nothing(hand: Hand) -> None:
     hand.key(pygame.K_r)
     assert hand.play.rollout is None
-    hand.point(1.7, 0.3)
+    hand.point(1.905, 0.635)
     hand.key(pygame.K_SPACE)
     hand.key(pygame.K_SPACE)
     after = hand.play.session.layout
