@@ -27,17 +27,17 @@ from pathlib import Path
 from typing import NamedTuple
 
 from pool2d import InputError, Shot, load_table
-from pool2d.catalogue import CONDITIONS, DRILLS, TABLES, find, shipped
 from pool2d.cli import main as command
-from pool2d.game import drill_file
+from pool2d.config.catalogue import CONDITIONS, DRILLS, TABLES, find, shipped
+from pool2d.config.settings import Store
 from pool2d.game.actions import Concede, Stroke
+from pool2d.game.drills import drill_file
 from pool2d.game.match import Match
-from pool2d.game.record import seal
-from pool2d.game.recorder import record
-from pool2d.game.report import Call
+from pool2d.game.records.record import seal
+from pool2d.game.records.recorder import record
+from pool2d.game.rules.report import Call
 from pool2d.game.setup import Setup
-from pool2d.position import write
-from pool2d.settings import Store
+from pool2d.table.position_text import write
 
 # In processor time, s, so that a busy machine is no fault.
 _SLOW = 1.0

@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 from pool2d import load_table, simulate
-from pool2d.preset import presets
+from pool2d.table.preset import presets
 
 from .fuzz import scene
 

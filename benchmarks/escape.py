@@ -13,7 +13,7 @@ import time
 from collections.abc import Sequence
 
 from pool2d import BudgetError, Layout, Shot, Table, load_table, simulate
-from pool2d.preset import presets
+from pool2d.table.preset import presets
 from tests.checks import misplaced
 from tests.scenes import random_shot
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from pool2d import Ball, Event, Layout, Table, load_table, simulate
 from pool2d.physics.detect import Rail
 from pool2d.physics.values import SLIDING
-from pool2d.preset import presets
+from pool2d.table.preset import presets
 
 
 class Rebound(NamedTuple):

@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import NoReturn
 
 from pool2d import InputError
-from pool2d.game.record import Record, load
-from pool2d.game.recorder import Recorder, record, resume
-from pool2d.game.replaying import verify
+from pool2d.game.records.record import Record, load
+from pool2d.game.records.recorder import Recorder, record, resume
+from pool2d.game.records.replaying import verify
 from pool2d.game.rules import GAMES
 from tests.random_play import new_match, random_action
 

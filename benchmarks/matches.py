@@ -21,11 +21,11 @@ from multiprocessing import Pool
 from typing import Any
 
 from pool2d import Shot, Table, load_table, simulate
-from pool2d.game.report import Call
+from pool2d.config.knobs import walk
+from pool2d.game.referee import read
 from pool2d.game.rules import AIM, CHOOSE, GAMES, OVER, PLACE, Choice, Rules, Ruling, game, games_for, label, say
+from pool2d.game.rules.report import Call
 from pool2d.game.rules.spotting import may_place
-from pool2d.game.witness import read
-from pool2d.knobs import walk
 from pool2d.physics.values import POCKETED, Ball, Layout
 
 TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft", "pyramid-12ft")

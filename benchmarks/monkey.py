@@ -25,17 +25,17 @@ import pygame
 
 from benchmarks.matches import SHORT, table_for
 from pool2d import load_table
+from pool2d.config.settings import Store
+from pool2d.draw.balls import ball_skin
 from pool2d.game.rules import GAMES
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
-from pool2d.settings import Store
-from pool2d.ui import ball_skin
 from pool2d.ui.app import App
-from pool2d.ui.hud import KeptBars
-from pool2d.ui.keyboard import KEYBOARD, PLACES
-from pool2d.ui.keys import CTRL, DEFAULTS
-from pool2d.ui.play import Play
-from pool2d.ui.replay_scene import Replay
+from pool2d.ui.play.play import Play
+from pool2d.ui.replay.replay_scene import Replay
+from pool2d.ui.stage.bars import KeptBars
+from pool2d.ui.wording.keyboard import KEYBOARD, PLACES
+from pool2d.ui.wording.keys import CTRL, DEFAULTS
 
 SIZE = (960, 540)
 # Sizes that a window may be dragged to, and for how many events it stays so.

@@ -9,7 +9,7 @@ import statistics
 import time
 
 from pool2d import load_table
-from pool2d.preset import presets
+from pool2d.table.preset import presets
 
 _TIMES = 30
 

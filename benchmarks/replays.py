@@ -16,11 +16,11 @@ import traceback
 from multiprocessing import Pool
 from pathlib import Path
 
-from pool2d.game.earlier import digest
 from pool2d.game.match import Match
-from pool2d.game.record import load
-from pool2d.game.recorder import record, resume
-from pool2d.game.replaying import verify
+from pool2d.game.records.earlier import digest
+from pool2d.game.records.record import load
+from pool2d.game.records.recorder import record, resume
+from pool2d.game.records.replaying import verify
 from pool2d.game.rules import GAMES
 from tests.random_play import new_match, random_action
 

@@ -16,10 +16,10 @@ from dataclasses import replace
 
 from benchmarks.matches import way
 from pool2d import BudgetError, Shot, simulate
-from pool2d.game.drill_file import drills, load
-from pool2d.game.drills import ANY, Drill, Standing, judge, start
+from pool2d.game.drills.drill import ANY, Drill, Standing, judge, start
+from pool2d.game.drills.drill_file import drills, load
 from pool2d.physics.values import Ball
-from pool2d.position import write_shot
+from pool2d.table.position_text import write_shot
 
 # Of so many strokes that do it, the best is taken.
 FEW = 4

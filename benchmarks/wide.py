@@ -11,9 +11,9 @@ import math
 import random
 
 from pool2d import Ball, InputError, Layout, Shot, Table, load_table
-from pool2d.knobs import Knob, walk
-from pool2d.placing import RANGES
-from pool2d.preset import presets
+from pool2d.config.knobs import Knob, walk
+from pool2d.table.placing import RANGES
+from pool2d.table.preset import presets
 
 _PRESETS = presets()
 _ROUNDS = 200

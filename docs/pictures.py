@@ -1,6 +1,6 @@
 """The pictures of `docs/pictures.md` and of the README, drawn by the game: `python -m docs.pictures`.
 
-Every scene of `docs.scenes` is drawn in the real window, without a screen, at three sizes: one picture each at
+Every scene of `docs.picture_scenes` is drawn in the real window, without a screen, at three sizes: one picture each at
 1280x720, and a sheet of all for each of the other sizes. `--out FOLDER` writes every picture at every size there
 instead, to be looked at; names draw only these scenes. Needs the optional extra: `pip install -e '.[dev]'`.
 """
@@ -16,12 +16,13 @@ import numpy as np
 import pygame
 
 from pool2d import Shot, load_table, simulate
-from pool2d.settings import Store
-from pool2d.ui import film, gif, theme
+from pool2d.config.settings import Store
+from pool2d.draw import theme
+from pool2d.draw.export import animation, gif
 from pool2d.ui.app import App
 from tests.ui.conftest import Hand
 
-from .scenes import SCENES, Scene
+from .picture_scenes import SCENES, Scene
 
 HERE = Path(__file__).parent
 FOLDER = HERE / "pictures"
@@ -80,7 +81,7 @@ def moving_break() -> bytes:
     times = [max(0.0, number / RATE - 0.5) for number in range(round(LENGTH * RATE))]
     pictures = [
         np.ascontiguousarray(pygame.surfarray.array3d(picture).swapaxes(0, 1))
-        for picture in film.frames(table, rollout, BREAK_SIZE, times)
+        for picture in animation.frames(table, rollout, BREAK_SIZE, times)
     ]
     return gif.encode(pictures, gif.median_cut([pictures[0], pictures[-1]]), 100 // RATE, 100)
 

@@ -15,18 +15,18 @@ if TYPE_CHECKING:
     from .physics.rollout import Event, Rollout
     from .physics.simulate import simulate
     from .physics.values import Ball, Layout, Shot
-    from .preset import load_table
-    from .scenario import Scenario, load_scenario
-    from .table import Table
+    from .table.preset import load_table
+    from .table.scenario import Scenario, load_scenario
+    from .table.table import Table
 
 _HOMES = {
     "errors": ("BudgetError", "InputError"),
     "physics.rollout": ("Event", "Rollout"),
     "physics.simulate": ("simulate",),
     "physics.values": ("Ball", "Layout", "Shot"),
-    "preset": ("load_table",),
-    "scenario": ("Scenario", "load_scenario"),
-    "table": ("Table",),
+    "table.preset": ("load_table",),
+    "table.scenario": ("Scenario", "load_scenario"),
+    "table.table": ("Table",),
 }
 
 __all__ = [

@@ -10,14 +10,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import __version__, catalogue, terminal
+from . import __version__
+from .commands import terminal
+from .config import catalogue
+from .config.knobs import Knob, apply
 from .errors import BudgetError, InputError
-from .knobs import Knob, apply
 
 # Tables and physics are read by the commands themselves: the window opens first.
 if TYPE_CHECKING:
-    from .scenario import Scenario
-    from .table import Table
+    from .table.scenario import Scenario
+    from .table.table import Table
 
 _EVENTS = Knob(0, 1, 1e9, "events", "")
 # Points of all paths together that `--sample` writes.
@@ -61,7 +63,7 @@ def _play(arguments: argparse.Namespace) -> int:
     from .ui.start import play
 
     def table() -> Table:
-        from .preset import load_table
+        from .table.preset import load_table
 
         name = _TABLE if arguments.table is None else arguments.table
         return load_table(name, _overrides(arguments.set), _conditions(arguments))
@@ -72,7 +74,7 @@ def _play(arguments: argparse.Namespace) -> int:
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
-    from . import outcome
+    from .commands import outcome
 
     overrides = _overrides(arguments.set)
     limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
@@ -94,8 +96,8 @@ def _simulate(arguments: argparse.Namespace) -> int:
 
 def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iterator[tuple[str, Scenario]]:
     """What is to be simulated: the files, or what `--position` and `--shot` say; each with its name."""
-    from .position import read, read_shot
-    from .scenario import load_scenario, scenario_of
+    from .table.position_text import read, read_shot
+    from .table.scenario import load_scenario, scenario_of
 
     conditions = _conditions(arguments)
     shot = None if arguments.shot is None else read_shot(arguments.shot, "--shot")
@@ -113,18 +115,18 @@ def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iter
 
 
 def _render(arguments: argparse.Namespace) -> int:
-    from .scenario import load_scenario
-    from .ui import pictures, render
+    from .draw.export import picture_file, render
+    from .table.scenario import load_scenario
 
     out = _file(arguments.out, "OUT.png")
-    pictures.check_path(out)
+    picture_file.check_path(out)
     scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
     render.render(scenario, out, _size(arguments.size))
     return 0
 
 
 def _replay(arguments: argparse.Namespace) -> int:
-    from . import replay
+    from .commands import replay
 
     path = Path(arguments.file)
     number = None if arguments.shot is None else _whole(_SHOTS, arguments.shot, "--shot")
@@ -145,7 +147,7 @@ def _replay(arguments: argparse.Namespace) -> int:
 
 
 def _tables(arguments: argparse.Namespace) -> int:
-    from . import tables
+    from .commands import tables
 
     _check_one_task(arguments)
     if arguments.knobs:
@@ -254,7 +256,7 @@ class _Parser(argparse.ArgumentParser):
 
 def _overrides(settings: list[str]) -> dict[str, Any]:
     """`--set NAME=VALUE` as knobs and values; raises InputError."""
-    from .table import Knobs
+    from .table.table_knobs import Knobs
 
     overrides: dict[str, Any] = {}
     for setting in settings:

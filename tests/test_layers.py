@@ -1,31 +1,48 @@
-"""Imports point down: knobs and errors, physics, the table, the game, the window, the command line."""
+"""Imports point down, between rooms and within them, and never in a circle."""
 
 from __future__ import annotations
 
 import ast
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-# The layer of a module, or of all modules of a package.
-LAYERS = {
-    "pool2d._version": 0, "pool2d.printable": 0, "pool2d.errors": 0, "pool2d.knobs": 0,
-    "pool2d.physics": 1,
-    "pool2d.outline": 2, "pool2d.geometry": 2, "pool2d.racks": 2, "pool2d.placing": 2, "pool2d.table": 2,
-    "pool2d.assets": 2, "pool2d.reader": 2, "pool2d.files": 2, "pool2d.catalogue": 2, "pool2d.furnish": 2,
-    "pool2d.preset": 2, "pool2d.table_data": 2, "pool2d.folders": 2, "pool2d.settings": 2, "pool2d.position": 2,
-    "pool2d.scenario": 2, "pool2d": 2,
-    "pool2d.game": 3,
-    "pool2d.ui": 4,
-    "pool2d.terminal": 5, "pool2d.outcome": 5, "pool2d.tables": 5,
-    "pool2d.replay": 5, "pool2d.cli": 5, "pool2d.__main__": 6, "main": 6,
-}  # fmt: skip
+# From the ground up; what stands in one line may import each other's files, as long as no circle comes of it.
+FLOORS = (
+    ("pool2d._version", "pool2d.errors", "pool2d.printable"),
+    ("pool2d.config",),
+    ("pool2d.physics",),
+    ("pool2d.table", "pool2d"),
+    ("pool2d.game.rules",),
+    ("pool2d.game",),
+    ("pool2d.sound", "pool2d.draw"),
+    ("pool2d.ui", "pool2d.ui.scene", "pool2d.ui.screen"),
+    ("pool2d.ui.wording",),
+    ("pool2d.ui.widgets",),
+    ("pool2d.ui.dialogs",),
+    ("pool2d.ui.stage",),
+    ("pool2d.ui.play",),
+    ("pool2d.ui.replay",),
+    ("pool2d.ui.menus",),
+    ("pool2d.ui.toasts", "pool2d.ui.window", "pool2d.ui.app", "pool2d.ui.start"),
+    ("pool2d.commands",),
+    ("pool2d.cli",),
+    ("pool2d.__main__", "main"),
+)
+FLOOR = {name: number for number, names in enumerate(FLOORS) for name in names}
+# Packages whose modules have to be named above, one by one.
+NAMED = ("pool2d", "pool2d.ui")
 # Who may import what is not in the standard library.
-GUESTS = {"pymunk": "pool2d.table", "pygame": "pool2d.ui", "numpy": "pool2d.ui"}
+GUESTS = {
+    "pymunk": ("pool2d.table",),
+    "pygame": ("pool2d.sound", "pool2d.draw", "pool2d.ui"),
+    "numpy": ("pool2d.sound", "pool2d.draw", "pool2d.ui"),
+}
 
 
 def name_of(path: Path) -> str:
@@ -34,76 +51,131 @@ def name_of(path: Path) -> str:
 
 
 MODULES = {name_of(path): path for path in (ROOT / "main.py", *sorted((ROOT / "pool2d").rglob("*.py")))}
+PACKAGES = [path.parent for path in sorted((ROOT / "pool2d").rglob("__init__.py"))]
 
 
 def within(module: str, package: str) -> bool:
     return module == package or module.startswith(package + ".")
 
 
-def layer(module: str) -> int:
-    """The layer of the longest known name that the module is within."""
-    if module in LAYERS:
-        return LAYERS[module]
-    known = [name for name in LAYERS if name != "pool2d" and within(module, name)]
-    assert known, f"{module} has no layer: give it one in {Path(__file__).name}"
-    return LAYERS[max(known, key=len)]
+def floor(module: str) -> int:
+    """The floor of the longest known name that the module is within."""
+    if module in FLOOR:
+        return FLOOR[module]
+    known = [name for name in FLOOR if name not in NAMED and within(module, name)]
+    assert known, f"{module} has no floor: give it one in {Path(__file__).name}"
+    return FLOOR[max(known, key=len)]
 
 
 def imports(module: str, source: str, is_package: bool) -> Iterator[str]:
-    """Every module that the source imports, wherever in it, by full name."""
+    """Every module that the source imports, wherever in it, for type checking too, by full name."""
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             base = module.split(".")[: len(module.split(".")) + is_package - node.level] if node.level else []
             whole = ".".join([*base, *([node.module] if node.module else [])])
-            # `from package import module` imports the module too.
-            yield whole
-            yield from (f"{whole}.{alias.name}" for alias in node.names if f"{whole}.{alias.name}" in MODULES)
+            # `from package import module` imports the module; what else it names stands in the package's own file.
+            names = [f"{whole}.{alias.name}" for alias in node.names]
+            yield from (name for name in names if name in MODULES)
+            if any(name not in MODULES for name in names):
+                yield whole
 
 
-def faults(module: str, source: str, is_package: bool = False) -> list[str]:
+def imports_of(module: str) -> set[str]:
+    path = MODULES[module]
+    return set(imports(module, path.read_text(encoding="utf-8"), path.name == "__init__.py"))
+
+
+def faults(module: str, names: set[str]) -> list[str]:
     """What a module may not import, in words."""
     wrong = []
-    for name in imports(module, source, is_package):
+    for name in sorted(names):
         top = name.partition(".")[0]
         if top in ("pool2d", "main"):
-            if layer(name) > layer(module):
+            if floor(name) > floor(module):
                 wrong.append(f"{module} imports {name}, which is above it")
-        elif top not in sys.stdlib_module_names and not (top in GUESTS and within(module, GUESTS[top])):
+        elif top not in sys.stdlib_module_names and not any(within(module, room) for room in GUESTS.get(top, ())):
             wrong.append(f"{module} imports {top}")
     return wrong
 
 
+def circles(arrows: dict[str, set[str]]) -> list[list[str]]:
+    """The groups of modules that import each other in a loop."""
+    reached: dict[str, set[str]] = {}
+    for start in arrows:
+        seen, todo = set[str](), [start]
+        while todo:
+            for name in arrows.get(todo.pop(), set()) - seen:
+                seen.add(name)
+                todo.append(name)
+        reached[start] = seen
+    loops = {tuple(sorted(name for name in reached[start] if start in reached.get(name, set()))) for start in arrows}
+    return sorted(list(loop) for loop in loops if loop)
+
+
 @pytest.mark.parametrize("module", MODULES)
 def test_imports_point_down(module: str) -> None:
-    path = MODULES[module]
-    assert faults(module, path.read_text(encoding="utf-8"), path.name == "__init__.py") == []
+    assert faults(module, imports_of(module)) == []
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    assert circles({module: imports_of(module) & MODULES.keys() for module in MODULES}) == CIRCLES
+
+
+# To be undone: see the issue. Each goes with the seam that opens it.
+CIRCLES: list[list[str]] = [
+    ["pool2d.physics.laws.ball", "pool2d.physics.laws.cushion", "pool2d.physics.params"],
+    ["pool2d.table.placing", "pool2d.table.table"],
+    ["pool2d.ui.play.editing", "pool2d.ui.play.play", "pool2d.ui.play.play_view", "pool2d.ui.play.positions"],
+    ["pool2d.ui.replay.replay_scene", "pool2d.ui.replay.replay_view"],
+]
 
 
 @pytest.mark.parametrize(
     ("module", "source"),
     [
-        ("pool2d.physics.motion", "from ..table import Table"),
-        ("pool2d.physics.motion", "from .. import table"),
+        ("pool2d.physics.motion", "from ..table.table import Table"),
+        ("pool2d.physics.motion", "from ..table import table"),
         ("pool2d.physics.motion", "import pool2d"),
         ("pool2d.physics.motion", "def late():\n    import numpy"),
-        ("pool2d.knobs", "from .physics.values import Ball"),
-        ("pool2d.placing", "import pymunk"),
-        ("pool2d.scenario", "from .game.session import Session"),
+        ("pool2d.config.knobs", "from ..physics.values import Ball"),
+        ("pool2d.game.session", "import pymunk"),
+        ("pool2d.table.scenario", "from ..game.session import Session"),
         ("pool2d.game.rules", "import pygame.font"),
-        ("pool2d.game.rules", "from ..ui import app"),
+        ("pool2d.game.rules", "from ...ui import app"),
+        ("pool2d.draw.pen", "from ..ui.wording.words import say"),
+        ("pool2d.ui.stage.stage", "from ..play.play import Play"),
         ("pool2d.ui.app", "from ..cli import main"),
         ("pool2d.ui.app", "import scipy"),
     ],
 )
 def test_arrows_that_point_up_are_seen(module: str, source: str) -> None:
-    assert faults(module, source)
+    assert faults(module, set(imports(module, source, MODULES[module].name == "__init__.py")))
 
 
-def test_a_module_without_a_layer_is_seen() -> None:
-    with pytest.raises(AssertionError, match=r"pool2d\.stray has no layer"):
-        layer("pool2d.stray")
+def test_circles_are_seen() -> None:
+    assert circles({"a": {"b"}, "b": {"c"}, "c": {"a", "d"}, "d": set()}) == [["a", "b", "c"]]
+    assert circles({"a": {"b", "c"}, "b": {"c"}, "c": set()}) == []
+
+
+@pytest.mark.parametrize("module", ["pool2d.stray", "pool2d.ui.stray"])
+def test_a_module_without_a_floor_is_seen(module: str) -> None:
+    with pytest.raises(AssertionError, match=rf"{module} has no floor"):
+        floor(module)
+
+
+@pytest.mark.parametrize("package", PACKAGES, ids=lambda path: path.name)
+def test_a_room_has_one_duty_and_few_files(package: Path) -> None:
+    """The duty is said by its `__init__`; beside that it has three files at least, and about twenty at most."""
+    assert ast.get_docstring(ast.parse((package / "__init__.py").read_text(encoding="utf-8")))
+    files = [path for path in package.iterdir() if path.suffix == ".py" and path.name != "__init__.py"]
+    assert 3 <= len(files) <= 20
+
+
+def test_no_two_modules_have_one_name() -> None:
+    named = Counter(path.name for path in MODULES.values() if path.name not in ("__init__.py", "__main__.py"))
+    assert [name for name, count in named.items() if count > 1] == []
 
 
 def test_all_but_the_window_leaves_pygame_alone() -> None:

@@ -8,9 +8,9 @@ from typing import Any, TypeAlias
 
 from ..errors import InputError, suggest
 from ..physics.values import Layout, Shot
-from ..position import Position, read, read_shot, write, write_shot
-from .report import Call
+from ..table.position_text import Position, read, read_shot, write, write_shot
 from .rules import Choice
+from .rules.report import Call
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ..outline import Point
 from ..physics.values import Ball, Layout, Shot
-from ..table import Table
+from ..table.outline import Point
+from ..table.table import Table
 from .actions import Stroke
 from .session import Session
 

@@ -14,16 +14,16 @@ from ..errors import InputError, suggest
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import Layout
-from ..table import Table
+from ..table.table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
-from .report import Call, Report
+from .referee import read
 from .rules import AIM, OVER, Ask, Choice, Rules, Ruling, State, game
 from .rules.lag import Lag, LagState
-from .rules.pool import PoolRules
+from .rules.pool.pool import PoolRules
 from .rules.practice import Practice
+from .rules.report import Call, Report
 from .setup import ALTERNATE, LAG, WINNER, Setup, can_lag, checked
 from .tally import Tally, after_frame, after_stroke
-from .witness import read
 
 
 @dataclass(frozen=True, slots=True)

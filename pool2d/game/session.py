@@ -7,12 +7,12 @@ from contextlib import suppress
 from ..errors import InputError
 from ..physics.rollout import Rollout
 from ..physics.values import Ball, Layout, Shot
-from ..table import Table
+from ..table.table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from .match import Match, Moment
-from .recorder import Recorder, record, remove
-from .report import Call
+from .records.recorder import Recorder, record, remove
 from .rules import AIM, PLACE, Ask, Choice, Ruling
+from .rules.report import Call
 from .rules.spotting import may_place
 from .setup import Setup
 

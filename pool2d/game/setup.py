@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any
 
+from ..config.knobs import Knob
 from ..errors import InputError, suggest
-from ..knobs import Knob
-from ..table import Table
+from ..table.table import Table
 from .rules import Rules
 from .rules.lag import Lag
 

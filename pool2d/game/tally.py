@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .report import Report
 from .rules import Rules, Ruling
+from .rules.report import Report
 
 
 @dataclass(frozen=True, slots=True)

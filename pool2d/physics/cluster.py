@@ -19,7 +19,7 @@ from typing import NamedTuple
 from .body import Body
 from .detect import Element
 from .energy import take_back
-from .gentle import rebound
+from .laws.rebound import rebound
 from .params import Physics
 from .springs import STEPS, BallSpring, NoseSpring, Spring, damping
 

@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
-from .balls import BALL_LAWS
 from .body import Body
 from .cluster import Group, facing, linked, solve
-from .cushions import CUSHION_LAWS
 from .detect import NOISE, Element
+from .laws.ball import BALL_LAWS
+from .laws.cushion import CUSHION_LAWS
 from .motion import Motion
 from .params import Physics
 from .pressing import Side, press

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from ..knobs import choice, knob
-from .balls import BALL_LAWS
-from .cushions import CUSHION_LAWS
+from ..config.knobs import choice, knob
+from .laws.ball import BALL_LAWS
+from .laws.cushion import CUSHION_LAWS
 
 
 @dataclass(frozen=True, slots=True)

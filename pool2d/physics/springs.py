@@ -11,10 +11,10 @@ import math
 from functools import cache
 from typing import TYPE_CHECKING, Protocol
 
-from .balls import FRICTION, normal, push, slip
-from .cushions import NOSES, along_nose, rate
 from .detect import TOUCH
-from .gentle import rebound
+from .laws.ball import FRICTION, normal, push, slip
+from .laws.cushion import NOSES, along_nose, rate
+from .laws.rebound import rebound
 
 if TYPE_CHECKING:
     from .body import Body

@@ -8,31 +8,33 @@ from operator import attrgetter
 
 import pygame
 
+from ..config.folders import pictures_folder
+from ..config.settings import GUIDES, Settings, Store
+from ..draw import text
+from ..draw.effects import effects_of, style_of
+from ..draw.export import picture_file
 from ..errors import InputError, suggest
-from ..folders import pictures_folder
 from ..game.session import practice
-from ..preset import load_table
 from ..printable import printable
-from ..settings import GUIDES, Settings, Store
-from ..table import Table
-from . import pictures, rulings, text, words
-from .dialog import Dialog, ground
-from .drill_shelf import DrillShelf
-from .effects import effects_of, style_of
-from .help import Help
-from .keyboard import KEYBOARD
-from .keys import KEYS, Presses, action_of
-from .lobby import Lobby
-from .menu import Menu
-from .options import OFFERED, Options
-from .play import Play
-from .replay_scene import Replay
+from ..sound.mixer import Sounds
+from ..table.preset import load_table
+from ..table.table import Table
+from ..table.watcher import WATCH, Watched
+from .dialogs.dialog import Dialog, ground
+from .dialogs.help import Help
+from .dialogs.options import OFFERED, Options
+from .menus.drill_list import DrillShelf
+from .menus.lobby import Lobby
+from .menus.menu import Menu
+from .play.play import Play
+from .replay.replay_scene import Replay
 from .scene import Scene
-from .sound import Sounds
-from .toast import Toasts
-from .watched import WATCH, Watched
+from .toasts import Toasts
 from .window import LARGEST, SIZE, canvas, open_window, set_mode
-from .words import say
+from .wording import ruling_text, words
+from .wording.keyboard import KEYBOARD
+from .wording.keys import KEYS, Presses, action_of
+from .wording.words import say
 
 _FPS = 60
 # Settings are written when they have been left alone for so long, s.
@@ -229,7 +231,7 @@ class App:
                 break
             path = path.with_stem(f"{path.stem.partition('_')[0]}_{number}")
         try:
-            pictures.save(self.surface, path)
+            picture_file.save(self.surface, path)
             self.toast(say("window.picture_saved", path=path))
         except InputError as error:
             self.toast(say("window.picture_failed", reason=error), wrong=True)
@@ -246,7 +248,7 @@ class App:
         # What is played on, also before it is drawn for the first time.
         played = seen if isinstance(seen, Play) else self.play
         table = seen.stage.table if isinstance(seen, Replay) else played.session.table
-        caption = f"pool2d \N{EN DASH} {rulings.table_title(table)}"
+        caption = f"pool2d \N{EN DASH} {ruling_text.table_title(table)}"
         if caption != self._caption:
             self._caption = caption
             pygame.display.set_caption(printable(caption, 200))

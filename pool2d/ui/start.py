@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 
 import pygame
 
+from ..config.settings import Store
 from ..errors import InputError
-from ..settings import Store
-from . import words
 from .window import Splash, first_size, open_window
+from .wording import words
 
 if TYPE_CHECKING:
-    from ..table import Table
+    from ..table.table import Table
 
 # Drivers that show nothing, which SDL falls back to without a screen.
 _UNSEEN = ("dummy", "offscreen", "evdev")
@@ -49,10 +49,10 @@ def replay(path: Path, number: int | None = None, frames: int | None = None) -> 
     Raises InputError where there is no display, no such shot, or the file is no good record.
     """
     with _opened(frames) as (splash, store, size):
-        from ..game.record import load
-        from ..game.reel import Reel
+        from ..game.records.record import load
+        from ..game.records.recorded_shots import Reel
         from .app import App
-        from .replay_scene import Replay
+        from .replay.replay_scene import Replay
 
         splash.tell(0.4)
         reel = Reel(load(path, torn=True))

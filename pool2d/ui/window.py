@@ -8,8 +8,8 @@ import time
 import pygame
 
 from .._version import __version__
-from ..settings import Store
-from . import shapes, text, theme
+from ..config.settings import Store
+from ..draw import shapes, text, theme
 
 SIZE = (1280, 720)
 # Below this nobody can read anything; the window does not open smaller.

@@ -15,9 +15,9 @@ import pygame
 import pytest
 
 from pool2d import Ball, Layout, load_table
-from pool2d.ui import words
 from pool2d.ui.app import App
-from pool2d.ui.play import Play
+from pool2d.ui.play.play import Play
+from pool2d.ui.wording import words
 
 FRAME = 1.0 / 60.0
 # The two balls of `two`.

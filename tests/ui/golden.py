@@ -20,12 +20,14 @@ import numpy as np
 import numpy.typing as npt
 import pygame
 
-from docs import pictures, scenes
+from docs import picture_scenes, pictures
 from pool2d import load_table
-from pool2d.catalogue import TABLES, shipped
-from pool2d.game.lying import racked
-from pool2d.ui import ball_art, table_art, theme
-from pool2d.ui.view import fit
+from pool2d.config.catalogue import TABLES, shipped
+from pool2d.draw import theme
+from pool2d.draw.balls import ball_art
+from pool2d.draw.tabletop import table_picture
+from pool2d.draw.view import fit
+from pool2d.game.orientations import racked
 
 SIZE = (640, 360)
 FOLDER = Path(__file__).parent / "golden"
@@ -42,7 +44,7 @@ def empty(name: str) -> pygame.Surface:
     """A table without balls, as large as the picture."""
     table = load_table(name)
     size = table.knobs.table
-    return table_art.draw(table, SIZE, fit(size.length, size.width, (0, 0, *SIZE)))
+    return table_picture.draw(table, SIZE, fit(size.length, size.width, (0, 0, *SIZE)))
 
 
 def balls(name: str, style: theme.Style = theme.PLAIN) -> pygame.Surface:
@@ -64,7 +66,7 @@ def balls(name: str, style: theme.Style = theme.PLAIN) -> pygame.Surface:
 
 def window(name: str) -> pygame.Surface:
     """The whole window at one of the scenes of the documentation."""
-    return pictures.draw(scenes.SCENES[name], SIZE)
+    return pictures.draw(picture_scenes.SCENES[name], SIZE)
 
 
 SCENES: dict[str, Callable[[], pygame.Surface]] = {

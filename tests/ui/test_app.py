@@ -14,19 +14,19 @@ import pygame
 import pytest
 
 from pool2d import Shot, load_table
-from pool2d.game.record import load
-from pool2d.game.recorder import unfinished
-from pool2d.game.reel import Reel
+from pool2d.config.settings import Store
+from pool2d.draw import text
+from pool2d.game.records.record import load
+from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorder import unfinished
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
-from pool2d.preset import preset_path
-from pool2d.settings import Store
-from pool2d.ui import text
+from pool2d.table.preset import preset_path
 from pool2d.ui.app import App
-from pool2d.ui.help import Help, hands, keys
-from pool2d.ui.hud import Screen
-from pool2d.ui.keys import CTRL, DEFAULTS, action_of
-from pool2d.ui.replay_scene import Replay
+from pool2d.ui.dialogs.help import Help, hands, keys
+from pool2d.ui.replay.replay_scene import Replay
+from pool2d.ui.screen import Screen
+from pool2d.ui.wording.keys import CTRL, DEFAULTS, action_of
 
 from .conftest import FRAME, Hand
 
@@ -221,7 +221,7 @@ def test_a_screenshot_that_a_full_disk_takes_in_part_is_told(
     def full(file: int) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("pool2d.files.os.fsync", full)
+    monkeypatch.setattr("pool2d.config.files.os.fsync", full)
     hand.key(pygame.K_F12)
     assert "No space left on device" in toasted(hand)
     assert list((tmp_path / "pictures").iterdir()) == []

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from docs import pictures
-from docs.scenes import SCENES, Scene
+from docs.picture_scenes import SCENES, Scene
 
 SIZE = (640, 360)
 

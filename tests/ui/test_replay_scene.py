@@ -12,22 +12,24 @@ import pytest
 
 from pool2d import InputError, load_table
 from pool2d.cli import main
-from pool2d.folders import data_folder
+from pool2d.config.folders import data_folder
+from pool2d.draw import text
 from pool2d.game.actions import Stroke
 from pool2d.game.match import Match
-from pool2d.game.record import load
-from pool2d.game.recorder import record
-from pool2d.game.reel import Reel
-from pool2d.game.report import Call
+from pool2d.game.records.record import load
+from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorder import record
+from pool2d.game.rules.report import Call
 from pool2d.game.setup import Setup
 from pool2d.physics.values import Shot
-from pool2d.ui import replay_art, start, text
+from pool2d.ui import start
 from pool2d.ui.app import App
-from pool2d.ui.entry import Entry
-from pool2d.ui.pick import Pick
-from pool2d.ui.replay_scene import PAUSE, Replay
-from pool2d.ui.replays import RecordShelf, open_replays
-from pool2d.ui.widgets import Heading
+from pool2d.ui.dialogs.pick import Pick
+from pool2d.ui.replay import replay_view
+from pool2d.ui.replay.record_list import RecordShelf, open_replays
+from pool2d.ui.replay.replay_scene import PAUSE, Replay
+from pool2d.ui.widgets.list_row import Entry
+from pool2d.ui.widgets.widget import Heading
 from tests.random_play import new_match
 
 from .conftest import FRAME, Hand
@@ -106,7 +108,7 @@ def test_keys_go_from_shot_to_shot_and_no_further(viewer: Viewer, later: int, ea
 def test_buttons_do_what_keys_do(viewer: Viewer) -> None:
     screen = viewer.replay.stage.screen
     for action, expected in (("later", 1), ("later", 2), ("earlier", 1)):
-        viewer.move(replay_art.button(action, screen).center)
+        viewer.move(replay_view.button(action, screen).center)
         viewer.press()
         viewer.release()
         assert viewer.replay.at == expected
@@ -147,7 +149,7 @@ def test_the_list_leads_to_a_shot_by_keys_and_by_mouse(viewer: Viewer) -> None:
     viewer.key(pygame.K_RETURN)
     assert viewer.scene is viewer.replay
     assert viewer.replay.at == 2
-    viewer.move(replay_art.button("list", viewer.replay.stage.screen).center)
+    viewer.move(replay_view.button("list", viewer.replay.stage.screen).center)
     viewer.press()
     viewer.release()
     again = viewer.scene
@@ -158,12 +160,12 @@ def test_the_list_leads_to_a_shot_by_keys_and_by_mouse(viewer: Viewer) -> None:
 
 
 def test_what_came_of_a_shot_is_told_at_its_end(viewer: Viewer) -> None:
-    assert replay_art.caption(viewer.replay) == ("", False)
+    assert replay_view.caption(viewer.replay) == ("", False)
     viewer.key(pygame.K_END)
-    assert "hit no ball" in replay_art.caption(viewer.replay)[0]
+    assert "hit no ball" in replay_view.caption(viewer.replay)[0]
     viewer.key(pygame.K_PAGEDOWN)
     viewer.key(pygame.K_END)
-    assert "taken back" in replay_art.caption(viewer.replay)[0]
+    assert "taken back" in replay_view.caption(viewer.replay)[0]
 
 
 def test_a_call_is_told_in_words(tmp_path: Path) -> None:
@@ -171,8 +173,8 @@ def test_a_call_is_told_in_words(tmp_path: Path) -> None:
         recorder.play(Stroke(Shot(0.0, 2.0), Call(ball="red7")))
         recorder.play(Stroke(Shot(0.0, 2.0)))
     first, second = Reel(load(recorder.path)).takes[0], Reel(load(recorder.path))[1]
-    assert replay_art.called(first) == "Player 1 calls red 7."
-    assert replay_art.called(second) == ""
+    assert replay_view.called(first) == "Player 1 calls red 7."
+    assert replay_view.called(second) == ""
 
 
 def test_the_score_is_the_one_of_the_moment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from pool2d import load_table
-from pool2d.settings import Store
+from pool2d.config.settings import Store
 from pool2d.ui import window
 from pool2d.ui.app import App
 from pool2d.ui.window import LEAST, SMALLEST, canvas, first_size

@@ -8,12 +8,12 @@ import pytest
 from pool2d import load_table
 from pool2d.errors import BudgetError
 from pool2d.game.session import practice
-from pool2d.ui.entry import Entry
-from pool2d.ui.menu import Item, Way
-from pool2d.ui.pick import Pick
-from pool2d.ui.play import Play
-from pool2d.ui.shelf import Shelf
-from pool2d.ui.widgets import Heading, Widget
+from pool2d.ui.dialogs.list_page import Shelf
+from pool2d.ui.dialogs.pick import Pick
+from pool2d.ui.menus.menu import Item, Way
+from pool2d.ui.play.play import Play
+from pool2d.ui.widgets.list_row import Entry
+from pool2d.ui.widgets.widget import Heading, Widget
 
 from .at_match import begin
 from .conftest import FRAME, Hand
@@ -135,7 +135,7 @@ def test_a_shot_that_the_engine_gives_up_is_told_and_the_balls_stay(two: Hand, m
     def gives_up(*given: object, **more: object) -> None:
         raise BudgetError(50_000, 1.0, {})
 
-    monkeypatch.setattr("pool2d.ui.stage.simulate", gives_up)
+    monkeypatch.setattr("pool2d.ui.stage.stage.simulate", gives_up)
     monkeypatch.setattr(two.play.session, "play", gives_up)
     two.key(pygame.K_SPACE)
     assert two.open and two.play.playback is None

@@ -11,7 +11,7 @@ import pygame
 import pytest
 
 from pool2d import InputError, load_table
-from pool2d.settings import Store
+from pool2d.config.settings import Store
 from pool2d.ui import start, window
 
 ROOT = Path(__file__).parents[2]
@@ -24,7 +24,9 @@ def test_the_splash_comes_before_the_table_physics_and_numpy_are_read() -> None:
         "def tell(self, part): raise Seen\n"
         "window.Splash.tell = tell\n"
         "try: main(['--frames', '1'])\n"
-        "except Seen: print([m for m in ('numpy', 'pymunk', 'pool2d.table', 'pool2d.ui.play') if m in sys.modules])"
+        "except Seen:\n"
+        "    slow = ('numpy', 'pymunk', 'pool2d.table.table', 'pool2d.ui.play.play')\n"
+        "    print([m for m in slow if m in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
     assert (done.stdout, done.stderr) == ("[]\n", "")

@@ -10,15 +10,15 @@ import pygame
 import pytest
 
 from pool2d import load_table
-from pool2d.ui import text
+from pool2d.draw import text
+from pool2d.draw.text import fitted, picture, wrap
 from pool2d.ui.app import App
-from pool2d.ui.dialog import Dialog
-from pool2d.ui.drill_shelf import DrillShelf
-from pool2d.ui.entry import Entry
-from pool2d.ui.position_shelf import PositionShelf
-from pool2d.ui.replays import open_replays
-from pool2d.ui.table_shelf import TableShelf
-from pool2d.ui.text import fitted, picture, wrap
+from pool2d.ui.dialogs.dialog import Dialog
+from pool2d.ui.dialogs.position_list import PositionShelf
+from pool2d.ui.menus.drill_list import DrillShelf
+from pool2d.ui.menus.table_list import TableShelf
+from pool2d.ui.replay.record_list import open_replays
+from pool2d.ui.widgets.list_row import Entry
 
 from .conftest import Hand
 

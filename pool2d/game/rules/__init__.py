@@ -6,23 +6,23 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...errors import InputError, suggest
-from ...table import Table
+from ...table.table import Table
 from .base import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Options, Rules, Ruling, State
-from .blackball import Blackball
-from .eight_ball import EightBall, EightBallState
-from .english_eight_ball import EnglishEightBall
-from .four_ball import FourBall
-from .free_pyramid import FreePyramid
-from .nine_ball import NineBall
-from .one_pocket import OnePocket
+from .carom.four_ball import FourBall
+from .carom.straight_rail import StraightRail
+from .carom.three_cushion import ThreeCushion
+from .notes import Note, label, say
+from .pool.blackball import Blackball
+from .pool.eight_ball import EightBall, EightBallState
+from .pool.english_eight_ball import EnglishEightBall
+from .pool.free_pyramid import FreePyramid
+from .pool.nine_ball import NineBall
+from .pool.one_pocket import OnePocket
+from .pool.straight import Straight
+from .pool.ten_ball import TenBall
 from .practice import Practice
-from .six_red import SixRed
-from .snooker import Snooker
-from .straight import Straight
-from .straight_rail import StraightRail
-from .ten_ball import TenBall
-from .three_cushion import ThreeCushion
-from .words import Note, label, say
+from .snooker.six_red import SixRed
+from .snooker.snooker import Snooker
 
 GAMES: dict[str, type[Rules[Any]]] = {
     rules.name: rules

@@ -11,14 +11,14 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
+from ...config.knobs import apply
 from ...errors import InputError, suggest
-from ...knobs import apply
-from ...outline import Point
 from ...physics.values import POCKETED, Layout
-from ...table import Table
-from ..report import Report
+from ...table.outline import Point
+from ...table.table import Table
+from .notes import Note
+from .report import Report
 from .spotting import may_place, put, within
-from .words import Note
 
 AIM, PLACE, CHOOSE, OVER = "aim", "place", "choose", "over"
 # What an option may be that is on or off.

@@ -11,10 +11,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from ...physics.values import POCKETED, Ball, Layout
-from ...table import Table
-from ..report import BALL, OFF, POCKET, RAIL, Report
+from ...table.table import Table
 from .base import Rules, Ruling, State
-from .words import Note
+from .notes import Note
+from .report import BALL, OFF, POCKET, RAIL, Report
 
 HEAD, FOOT = "left", "right"
 # Balls this much nearer than others, m, are so beyond a referee's doubt.

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...physics.values import POCKETED, Ball, Layout
-from ..report import Report
 from .base import Rules, Ruling, State
+from .notes import Note
+from .report import Report
 from .spotting import ANYWHERE, spot_balls
-from .words import Note
 
 
 class Practice(Rules[State]):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from ...outline import Point
 from ...physics.values import Layout
-from ...table import Table
+from ...table.outline import Point
+from ...table.table import Table
 
 ANYWHERE, KITCHEN, D = "anywhere", "kitchen", "d"
 # What is left between a spotted ball and one it must not overlap, m: more than rounding, less than can be seen.

@@ -16,10 +16,10 @@ from collections.abc import Collection, Iterable, Iterator
 from itertools import combinations
 from typing import NamedTuple, TypeAlias
 
-from ...outline import Point, edges
 from ...physics.detect import Jaw, Pocket, Rail
 from ...physics.values import Ball, Layout
-from ...table import Table
+from ...table.outline import Point, edges
+from ...table.table import Table
 from .sight import JAW, Disc, View, view
 from .spotting import HAIR, KITCHEN, D, within
 

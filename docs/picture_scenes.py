@@ -1,0 +1,277 @@
+"""The scenes that `docs.pictures` draws: a hand brings the window to each. A new scene is one line of SCENES."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pygame
+
+from pool2d import Ball, Shot
+from pool2d.config.catalogue import TABLES, shipped
+from pool2d.game.actions import Stroke
+from pool2d.game.drills.drill_file import load as load_drill
+from pool2d.game.match import Match
+from pool2d.game.records.record import load
+from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorder import record
+from pool2d.game.session import Session
+from pool2d.game.setup import LAG, Setup
+from pool2d.ui.play.drill_scene import DrillPlay
+from pool2d.ui.replay.replay_scene import Replay
+from pool2d.ui.scene import Scene as ScreenScene
+from pool2d.ui.widgets.inputs import Slider
+from tests.ui.conftest import FRAME, Hand
+
+
+class Scene(NamedTuple):
+    """What a picture shows, in words, how a hand gets there, and on which table."""
+
+    told: str
+    go: Callable[[Hand], None]
+    table: str = "pool-9ft"
+
+
+# A position in the middle of a game: a cut on the 3 into the side pocket is on.
+MIDDLE = (
+    Ball("cue", 0.72, 0.42), Ball("3", 1.02, 0.98), Ball("5", 1.93, 0.79), Ball("8", 2.02, 0.30),
+    Ball("9", 0.33, 0.88), Ball("11", 1.52, 0.22), Ball("14", 2.31, 1.04), Ball("15", 1.46, 0.71),
+)  # fmt: skip
+
+
+def middle(hand: Hand) -> None:
+    """The position, with a cut aimed."""
+    hand.set_balls(*MIDDLE)
+    hand.point(0.983, 0.937)
+
+
+def pulling(hand: Hand) -> None:
+    """The cue drawn back, with english."""
+    middle(hand)
+    for _ in range(6):
+        hand.key(pygame.K_d)
+    hand.press()
+    hand.pull(0.16 * hand.play.stage.screen.measure)
+
+
+def breaking(hand: Hand, after: float = 0.62) -> None:
+    """A break, so many seconds after the stroke began."""
+    hand.point(2.4, 0.637)
+    for _ in range(60):
+        hand.key(pygame.K_UP)
+    hand.key(pygame.K_SPACE)
+    run(hand, after)
+
+
+def whole(hand: Hand) -> None:
+    """The guide that shows all of a shot."""
+    middle(hand)
+    hand.key(pygame.K_g)
+
+
+def arrows(hand: Hand) -> None:
+    """A shot under way, with the arrows of speed and spin."""
+    middle(hand)
+    for _ in range(8):
+        hand.key(pygame.K_w)
+    hand.key(pygame.K_v)
+    hand.key(pygame.K_SPACE)
+    run(hand, 0.5)
+
+
+def line(hand: Hand) -> None:
+    """A shot held, the pointer on an event of its time line."""
+    breaking(hand)
+    hand.key(pygame.K_p)
+    for _ in range(3):
+        hand.key(pygame.K_RIGHT)
+    shown = hand.play.playback
+    assert shown is not None
+    hand.move((hand.play.timeline.x_of(shown.time, shown), hand.play.timeline.track.centery))
+
+
+def tuned(hand: Hand) -> None:
+    """The panel of knobs, one of them turned: what the shot did before is seen faintly."""
+    middle(hand)
+    for _ in range(60):
+        hand.key(pygame.K_UP)
+    hand.key(pygame.K_SPACE)
+    hand.key(pygame.K_SPACE)
+    hand.key(pygame.K_t)
+    hand.app.step(0.0)
+    assert hand.play.tuning is not None
+    slider = next(widget for widget in hand.play.tuning.form.widgets if isinstance(widget, Slider))
+    hand.move((slider.rect.left + slider.rect.width * 0.8, slider.rect.bottom - 1.5 * hand.play.stage.screen.unit))
+    hand.press()
+    hand.release()
+
+
+def placing(hand: Hand) -> None:
+    """The cue ball in hand, over a place where it has room."""
+    hand.set_balls(*MIDDLE, in_hand=True)
+    hand.point(0.62, 0.62)
+
+
+def near(hand: Hand) -> None:
+    """The rack from nearer."""
+    hand.point(1.9, 0.637)
+    for _ in range(5):
+        hand.key(pygame.K_PLUS)
+    run(hand, 1.0)
+
+
+def geometry(hand: Hand) -> None:
+    """What pymunk holds: noses, jaws and pockets."""
+    middle(hand)
+    hand.key(pygame.K_b)
+
+
+def keys_page(hand: Hand) -> None:
+    """The options' page of keys."""
+    hand.key(pygame.K_o)
+    for _ in range(4):
+        hand.key(pygame.K_RIGHT)
+
+
+def german(hand: Hand) -> None:
+    """The same words in German, and a palette for those who confuse red and green."""
+    hand.app.store.turn("screen.language", "de")
+    hand.app.store.turn("balls.palette", "colour-blind")
+    hand.app.store.turn("balls.patterned", True)
+    middle(hand)
+
+
+def rest(hand: Hand) -> None:
+    """A table as it is when the window opens."""
+    width, height = hand.play.session.table.knobs.table.length, hand.play.session.table.knobs.table.width
+    hand.point(0.8 * width, 0.5 * height)
+
+
+def match(hand: Hand, game: str = "eight-ball", speed: float = 9.5) -> Session:
+    """A match, its break played and ruled on."""
+    session = Session(Match(hand.play.session.table, Setup(game, names=("Ann", "Bob"), race=3, breaker=0, seed=4)))
+    hand.app.scene = hand.app.lobby.begin(session)
+    hand.play.hands.aim = hand.play.hands.aim.with_speed(speed).toward(1.0, 0.004)
+    hand.strike()
+    return session
+
+
+def lag(hand: Hand) -> None:
+    """The second ball is on its way back."""
+    setup = Setup("nine-ball", names=("Ann", "Bob"), race=3, breaker=LAG, seed=4)
+    session = Session(Match(hand.play.session.table, setup))
+    hand.app.scene = hand.app.lobby.begin(session)
+    for speed in (1.42, 1.46):
+        hand.point(2.0, session.cue.y)
+        hand.play.hands.aim = hand.play.hands.aim.with_speed(speed)
+        hand.strike() if session.strokes == 0 else hand.key(pygame.K_SPACE)
+    run(hand, 3.5)
+
+
+def choosing(hand: Hand) -> None:
+    """The opponent may choose what follows a break that was too soft."""
+    match(hand, speed=1.0)
+
+
+def new_match(hand: Hand) -> None:
+    """The first entry of the menu."""
+    scene(hand, lambda hand: hand.app.lobby.menu())
+    hand.key(pygame.K_RETURN)
+
+
+def calling(hand: Hand) -> None:
+    """The second player calls a pocket."""
+    session = match(hand)
+    pocket = session.table.geometry.pockets[0]
+    hand.point(pocket.x, pocket.y)
+    hand.press()
+    hand.release()
+    one = session.layout[session.ask.on[0]]
+    hand.point(one.x, one.y)
+
+
+def snooker(hand: Hand) -> None:
+    """A frame of snooker: the cue ball in hand, in the D."""
+    session = Session(Match(hand.play.session.table, Setup("snooker", names=("Ann", "Bob"), breaker=0, seed=4)))
+    hand.app.scene = hand.app.lobby.begin(session)
+    red = session.layout[session.ask.on[0]]
+    hand.point(red.x, red.y + 0.03)
+
+
+def ended(hand: Hand) -> None:
+    """The end of a frame."""
+    session = match(hand)
+    session.concede(0)
+    end = hand.app.lobby.ended()
+    assert end is not None
+    hand.app.scene = end
+
+
+def drill(hand: Hand) -> None:
+    """A drill: its goal is marked on the cloth."""
+    hand.app.scene = DrillPlay(load_drill("follow"), hand.play, hand.play)
+    hand.app.step(FRAME)
+    drilling = hand.app.scene
+    assert isinstance(drilling, DrillPlay)
+    ball = drilling.session.layout["1"]
+    hand.move(drilling.stage.view.to_screen(ball.x, ball.y))
+
+
+def scene(hand: Hand, make: Callable[[Hand], ScreenScene]) -> None:
+    """Another screen over the table."""
+    hand.app.scene = make(hand)
+    hand.app.redraw()
+
+
+def replay(hand: Hand, key: int = 0) -> None:
+    """A recorded match, a shot of which is shown; `key` is pressed then."""
+    folder = Path(tempfile.mkdtemp(prefix="pool2d-"))
+    match = Match(hand.play.session.table, Setup("nine-ball", names=("Ann", "Bob"), race=3, breaker=0, seed=11))
+    with record(match, folder / "match.jsonl") as recorder:
+        for shot in (Shot(0.3, 9.0), Shot(62.0, 4.0), Shot(-30.0, 5.0), Shot(200.0, 4.5)):
+            if match.ask.kind == "aim":
+                recorder.play(Stroke(shot))
+    shown = Replay(Reel(load(folder / "match.jsonl")), hand.play, hand.app.store, hand.app.sounds)
+    hand.app.scene = shown
+    run(hand, 1.0)
+    if key:
+        hand.key(key)
+
+
+def run(hand: Hand, seconds: float) -> None:
+    """Let time pass."""
+    for _ in range(round(seconds / FRAME)):
+        hand.app.step(FRAME)
+
+
+SCENES: dict[str, Scene] = {
+    "play": Scene("Aiming: the guide is a short run of the simulation", middle),
+    "pulling": Scene("Drawing the cue back: the distance is the speed", pulling),
+    "rolling": Scene("A break: trails of light show where the balls have been", breaking),
+    "whole-guide": Scene("G: the guide for the whole shot", whole),
+    "arrows": Scene("V: speed, roll and spin of every ball", arrows),
+    "time-line": Scene("P: a shot held, gone through event by event", line),
+    "tuning": Scene("T: every knob, and what it does to the last shot", tuned),
+    "in-hand": Scene("The cue ball in hand", placing),
+    "near": Scene("Ctrl and the wheel: from nearer", near),
+    "geometry": Scene("B: the geometry that the physics sees", geometry),
+    "options": Scene("O: the options", lambda hand: hand.key(pygame.K_o)),
+    "keys": Scene("Every key can be bound", keys_page),
+    "help": Scene("F1: what keys and hands do", lambda hand: hand.key(pygame.K_F1)),
+    "german": Scene("In German, with colours and patterns for colour-blind eyes", german),
+    "menu": Scene("The menu", lambda hand: scene(hand, lambda hand: hand.app.lobby.menu())),
+    "new-match": Scene("A new match", new_match),
+    "lag": Scene("A lag: who comes nearer to the head cushion chooses who breaks", lag),
+    "choice": Scene("After a break that was too soft: what may be chosen", choosing),
+    "call": Scene("A pocket is called by a click", calling),
+    "snooker": Scene("Snooker: the cue ball in the D", snooker, "snooker-12ft"),
+    "pause": Scene("Esc: the pause", lambda hand: scene(hand, lambda hand: hand.app.lobby.pause())),
+    "frame-over": Scene("The end of a frame", ended),
+    "drills": Scene("F2: drills, each with a goal", lambda hand: hand.key(pygame.K_F2)),
+    "drill": Scene("A drill: where the cue ball has to come to rest", drill),
+    "replay": Scene("`pool2d replay`: a recorded match", replay),
+    "replay-shots": Scene("G lists its shots", lambda hand: replay(hand, pygame.K_g)),
+    **{f"table-{name}": Scene(f"`--table {name}`", rest, name) for name in shipped(TABLES)},
+}

@@ -1,0 +1,92 @@
+"""What `pool2d replay` does: show a record, list or verify it, or export a shot of it as pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..errors import InputError
+from ..game.records.record import CHANGED, GONE, Record, load
+from ..game.records.replaying import BY_RECORD, Take, divergences, takes
+from . import terminal
+
+# Pictures of a film per second: a GIF counts in hundredths.
+_RATE = 25
+
+
+# What is said of the table of a record, by what has become of its preset.
+_TABLES = {
+    "": "",
+    CHANGED: "; on the table as it was then: its preset has changed since",
+    GONE: "; on the table as it was then: its preset is not there any more",
+}
+
+
+def check(path: Path) -> int:
+    """Play a record through the engine; print that it is as recorded, or where it first is not and return 1.
+
+    Where the record itself has been changed, that is told before all else.
+    """
+    record = load(path)
+    found = list(divergences(record))
+    if not found:
+        strokes = sum(entry.data["do"] == "stroke" for entry in record.entries)
+        table = _TABLES[record.outdated]
+        terminal.tell(f"{path}: as recorded: {strokes} strokes, {len(record.entries)} lines{table}")
+        return 0
+    first = next((one for one in found if one.why == BY_RECORD), found[0])
+    more = f" (and {len(found) - 1} lines more)" if len(found) > 1 else ""
+    terminal.tell(f"{path}: line {first.line}: {first}{more}")
+    return 1
+
+
+def take_of(record: Record, number: int | None) -> Take:
+    """A stroke of a record by its number from 1; the last one without; raises InputError."""
+    found = takes(record)
+    if not found:
+        raise InputError(str(record.path), "", None, "no stroke was played")
+    if number is not None and not 1 <= number <= len(found):
+        raise InputError("command line", "--shot", number, f"allowed is 1 to {len(found)}")
+    return found[-1 if number is None else number - 1]
+
+
+def to_png(path: Path, folder: Path, number: int | None, size: tuple[int, int]) -> int:
+    """Write a stroke as numbered pictures, 25 for each second."""
+    from ..draw.export import animation
+
+    take = take_of(load(path), number)
+    count = animation.to_png(take.match.table, take.rollout, folder, f"shot-{take.number:03d}", size, _RATE)
+    terminal.tell(f"{folder}: {count} pictures of shot {take.number}, {_RATE} a second{_otherwise(take)}")
+    return 0
+
+
+def to_gif(path: Path, out: Path, number: int | None, size: tuple[int, int]) -> int:
+    """Write a stroke as a moving picture."""
+    from ..draw.export import animation, picture_file
+
+    picture_file.check_path(out, moving=True)
+    take = take_of(load(path), number)
+    animation.to_gif(take.match.table, take.rollout, out, size, _RATE)
+    terminal.tell(f"{out}: shot {take.number}{_otherwise(take)}")
+    return 0
+
+
+def show(path: Path, number: int | None) -> int:
+    """Show a record in a window, from a stroke on."""
+    from ..ui.start import replay
+
+    return replay(path, number)
+
+
+def tell(path: Path) -> int:
+    """List the strokes of a record."""
+    from ..game.rules import say
+
+    for take in takes(load(path)):
+        notes = " ".join(say(note, take.match.names) for note in take.moment.ruling.notes)
+        terminal.tell(f"{take.number:4}  {notes}{_otherwise(take)}")
+    return 0
+
+
+def _otherwise(take: Take) -> str:
+    """What is said of a stroke that would come out otherwise now."""
+    return "" if take.found is None else f" ({take.found})"

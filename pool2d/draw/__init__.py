@@ -1,0 +1,1 @@
+"""Pixels from values: surfaces in, surfaces out; nothing here knows a scene."""

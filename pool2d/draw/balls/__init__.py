@@ -1,0 +1,1 @@
+"""Balls as lit spheres, pixel by pixel."""

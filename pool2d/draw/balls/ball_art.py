@@ -1,0 +1,129 @@
+"""Balls as lit spheres that lie as they have turned, at any size and placed to a quarter of a pixel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import pygame
+
+from ...physics.orientation import FACING, Quaternion
+from ...table.furniture import Look
+from .. import theme
+from ..theme import BALLS, IVORY, Style
+from . import ball_skin
+from .ball_light import STEPS, light, place, shadow
+from .ball_paint import Coat
+from .ball_sprite import LEVELS, Sprite, render
+
+# What a faint ball takes away of what is behind it, of 255.
+_FAINT = 110
+
+
+class Placed(NamedTuple):
+    """A ball to be drawn: how it looks and lies, where in pixels; `alpha` below 255 lets the table through.
+
+    A ball with a `shadow` stands on the cloth. One that is seen for a moment only need not be `fine`.
+    """
+
+    look: Look
+    centre: tuple[float, float]
+    radius: float
+    lie: Quaternion = FACING
+    alpha: int = 255
+    shadow: bool = True
+    fine: bool = True
+
+
+# Pictures painted before, the latest last. Like a function's cache, it changes no picture.
+_drawn: dict[Sprite, pygame.Surface] = {}
+_KEPT = 512
+# Balls painted together: more need memory that has to be fetched anew each time, fewer cost more calls. What is
+# only looked up needs little.
+_BATCH = {True: 8, False: 32}
+
+
+def draw(
+    surface: pygame.Surface,
+    ball: str,
+    centre: tuple[float, float],
+    radius: float,
+    faint: bool = False,
+    look: Look | None = None,
+    lie: Quaternion = FACING,
+    style: Style = theme.PLAIN,
+) -> None:
+    """Draw one ball and its shadow; `faint` for one that is not really there.
+
+    Without a look, a ball that is a number looks like that ball of a pool set, and any other is a cue ball.
+    """
+    alpha = _FAINT if faint else 255
+    draw_all(surface, [Placed(look or usual(ball), centre, radius, lie, alpha, not faint)], style)
+
+
+def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = theme.PLAIN) -> list[pygame.Rect]:
+    """Draw balls, the first lowest, above the shadows of all; returns the boxes in which it has drawn."""
+    shadows, sprites, corners = [], [], []
+    for ball in balls:
+        radius = max(1.0, round(ball.radius * STEPS) / STEPS)
+        x, y, step = place(ball.centre)
+        if ball.shadow:
+            shade, right, down = shadow(radius, step)
+            shadows.append((shade, (x + right, y + down)))
+        level = round(ball.alpha * LEVELS / 255.0)
+        # A rough picture is not looked for again.
+        lie = _rounded(ball.lie, radius) if ball.fine else ball.lie
+        sprites.append(Sprite(Coat(ball.look, style), radius, step, lie, level, ball.fine))
+        half = light(radius).half
+        corners.append((x - half, y - half))
+    # The type allows for none being returned.
+    return surface.blits([*shadows, *zip(_images(sprites), corners, strict=True)]) or []
+
+
+@lru_cache(maxsize=256)
+def usual(ball: str) -> Look:
+    """The look of a ball that its preset says nothing of."""
+    number = int(ball) if ball.isdecimal() and len(ball) < 4 else 0
+    if number == 0:
+        return Look(_hex(IVORY), dots=True)
+    color = BALLS.get(number if number <= 8 else number - 8, (150, 150, 150))
+    return Look(_hex(color), stripe=number > 8, number=ball)
+
+
+def _hex(color: tuple[int, ...]) -> str:
+    return "#" + bytes(color[:3]).hex()
+
+
+def _rounded(lie: Quaternion, radius: float) -> Quaternion:
+    """The orientation, not of unit length, in steps that move the rim by about a quarter of a pixel."""
+    w, x, y, z = lie
+    fine = math.copysign(8.0 * radius, w)
+    return round(w * fine), round(x * fine), round(y * fine), round(z * fine)
+
+
+def _images(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
+    """The pictures of balls, those not at hand drawn together by size and fineness."""
+    # One that is good for a moment only is hardly ever wanted again.
+    images = [_drawn.get(sprite) if sprite.fine else None for sprite in sprites]
+    missing: dict[tuple[float, bool], list[int]] = {}
+    made = 0
+    for i, (sprite, image) in enumerate(zip(sprites, images, strict=True)):
+        if image is None:
+            fine = sprite.fine
+            if not fine and not ball_skin.known(sprite.coat, sprite.radius):
+                # One new skin at a time holds nothing up; until it has one, a ball is painted.
+                made += 1
+                fine = made > 1
+            missing.setdefault((sprite.radius, fine), []).append(i)
+    for (_, fine), group in missing.items():
+        for start in range(0, len(group), _BATCH[fine]):
+            batch = group[start : start + _BATCH[fine]]
+            for i, image in zip(batch, render([sprites[i] for i in batch], fine), strict=True):
+                images[i] = image
+                if sprites[i].fine:
+                    _drawn[sprites[i]] = image
+    while len(_drawn) > _KEPT:
+        del _drawn[next(iter(_drawn))]
+    return [image for image in images if image is not None]

@@ -1,0 +1,188 @@
+"""How light falls on a ball of some size and the cloth beside it: worked out once, then only looked up."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+import pygame
+
+from .. import theme
+
+Floats = npt.NDArray[np.float32]
+Doubles = npt.NDArray[np.float64]
+# One number a pixel; its bytes are blue, green, red, cover.
+Pixels = npt.NDArray[np.uint32]
+
+# Balls are placed to this part of a pixel.
+STEPS = 4
+# The lamp hangs above the table, a little to the upper left: the direction its light comes from.
+_LAMP = (-0.34, 0.46, 0.82)
+# Its mirror image: middle and half sizes on a plane one radius above, and how soft its edges are,
+# which on a small ball is at least so much over the radius in pixels.
+_IMAGE, _HALF, _EDGE, _BLUR = (-0.62, 0.74), (0.34, 0.15), 0.10, 2.8
+# Light from all round; from the lamp; thrown back by the cloth, as parts of the paint's own.
+_AROUND, _DIRECT, _BOUNCE = 0.28, 0.75, 0.29
+_GLEAM, _SHEEN, _RIM = 205.0, 26.0, 20.0
+_DITHER = 0.8
+
+
+class Light:
+    """What is the same for every ball of `radius` pixels, over a square of pixels row by row.
+
+    The square has `half` pixels to each side of the middle one. Where on it a ball's middle is, counts:
+    a step is `STEPS` times the quarter pixels it is to the right of its leftmost, and those down.
+    """
+
+    # Where things are in what `at` returns: out of the ball, x right and y up; what a paint's colour is
+    # multiplied by; what is then added; how much of a pixel the ball takes; and how many pixels a radius
+    # on the surface spans.
+    NORMAL, SHADE, GLOSS, COVER, SOFT = slice(0, 3), slice(3, 6), slice(6, 9), 9, 10
+
+    def __init__(self, radius: float) -> None:
+        self.radius = radius
+        self.half = math.ceil(radius + 0.5)
+        # The rows of those steps that were asked for: a camera on its way asks for few, of many sizes of ball.
+        self._rows: dict[int, int] = {}
+        self._table: Floats = np.empty((0, 11, (2 * self.half + 1) ** 2), dtype=np.float32)
+        self._shades: Pixels = np.empty((0, self._table.shape[2]), dtype=np.uint32)
+        self._glosses = self._shades
+
+    def at(self, steps: Sequence[int]) -> Floats:
+        """The light (balls, 11, pixels) on balls at these steps."""
+        rows = self._rows_at(steps)
+        lit: Floats = self._table[rows]
+        return lit
+
+    def normals(self, steps: Sequence[int]) -> Floats:
+        """Only the normals (balls, 3, pixels)."""
+        rows = self._rows_at(steps)
+        normals: Floats = self._table[rows, self.NORMAL]
+        return normals
+
+    def layers(self, steps: Sequence[int]) -> tuple[pygame.Surface, pygame.Surface]:
+        """The light as two columns of balls: one to multiply their paint with, which also cuts them out, one to add."""
+        rows = self._rows_at(steps)
+        return self.column(self._shades[rows]), self.column(self._glosses[rows])
+
+    def column(self, pixels: Pixels) -> pygame.Surface:
+        """A picture of balls one below the other, whose pixels (balls, pixels) it shares."""
+        side = 2 * self.half + 1
+        return pygame.image.frombuffer(pixels.data.cast("B"), (side, side * len(pixels)), "BGRA")
+
+    def _rows_at(self, steps: Sequence[int]) -> list[int]:
+        """The rows of these steps, those that are new worked out."""
+        for step in steps:
+            if step not in self._rows:
+                self._rows[step] = len(self._rows)
+                lit = self._lit(*offset(step))
+                shade, gloss = np.clip(255.0 * lit[self.SHADE], 0.0, 255.0), np.clip(lit[self.GLOSS], 0.0, 255.0)
+                cut, added = _pixels(shade, 255.0 * lit[self.COVER]), _pixels(gloss, np.zeros_like(gloss[0]))
+                self._table = np.concatenate([self._table, lit[None]])
+                self._shades = np.concatenate([self._shades, cut[None]])
+                self._glosses = np.concatenate([self._glosses, added[None]])
+        return [self._rows[step] for step in steps]
+
+    def _lit(self, right: float, down: float) -> Floats:
+        """The light on a ball that is so far right and down of the middle of its pixel."""
+        across = np.arange(-self.half, self.half + 1, dtype=np.float64)
+        x = np.tile((across - right) / self.radius, len(across))
+        y = np.repeat((down - across) / self.radius, len(across))
+        far = np.hypot(x, y)
+        # Pixels on the edge take the normal of the nearest point of the ball.
+        inward = np.minimum(1.0, 0.999 / np.maximum(far, 1e-9))
+        x, y = x * inward, y * inward
+        z = np.sqrt(1.0 - x * x - y * y)
+        toward = x * _LAMP[0] + y * _LAMP[1]
+        direct = np.clip((toward + z * _LAMP[2] + 0.16) / 1.16, 0.0, 1.0)
+        cloth = np.array(theme.CLOTH, dtype=np.float64)[:, None]
+        # What faces sideways sees the cloth, which is brighter on the lamp's other side than in the shadow.
+        bounce = _BOUNCE * (cloth / cloth.max()) * (1.0 - z) ** 1.5 * (0.6 + 0.4 * toward)
+        edge = 1.0 - 0.5 * (1.0 - z) ** 5
+        # Polish mirrors more at a slant (Fresnel): the rim shows the room.
+        rim = _RIM * (1.0 - z) ** 3 * (0.35 + 0.65 * cloth / 255.0)
+        row = np.empty((11, len(x)), dtype=np.float32)
+        row[self.NORMAL] = x, y, z
+        row[self.SHADE] = (_AROUND * (0.55 + 0.45 * z) + _DIRECT * direct**1.1) * edge + bounce
+        row[self.GLOSS] = _mirrored(x, y, z, max(_EDGE, _BLUR / self.radius)) + rim + _noise(len(x))
+        row[self.COVER] = np.clip((1.0 - far) * self.radius + 0.5, 0.0, 1.0)
+        row[self.SOFT] = self.radius * np.clip(z, 0.35, 1.0)
+        return row
+
+
+def _pixels(rgb: Floats, alpha: Floats) -> Pixels:
+    """The pixels, BGRA, of planes of colour and cover."""
+    pixels: Pixels = np.stack([rgb[2], rgb[1], rgb[0], alpha], axis=1).astype(np.uint8).view(np.uint32)[:, 0]
+    return pixels
+
+
+@lru_cache(maxsize=8)
+def light(radius: float) -> Light:
+    return Light(radius)
+
+
+def place(centre: tuple[float, float]) -> tuple[int, int, int]:
+    """The pixel that a ball's middle is nearest to, and its step there."""
+    x, right = divmod(round(centre[0] * STEPS) + STEPS // 2, STEPS)
+    y, down = divmod(round(centre[1] * STEPS) + STEPS // 2, STEPS)
+    return x, y, STEPS * right + down
+
+
+def offset(step: int) -> tuple[float, float]:
+    """How far right and down of the middle of its pixel a ball at this step is, in pixels."""
+    return step // STEPS / STEPS - 0.5, step % STEPS / STEPS - 0.5
+
+
+def _mirrored(x: Doubles, y: Doubles, z: Doubles, edge: float) -> Doubles:
+    """The lamp as the polish mirrors it to the eye straight above: its image, fading over `edge`, and a sheen."""
+    up = 2.0 * z * z - 1.0
+    seen_x, seen_y = (2.0 * z * part / np.maximum(up, 0.05) for part in (x, y))
+    out_x = np.maximum(np.abs(seen_x - _IMAGE[0]) - _HALF[0], 0.0)
+    out_y = np.maximum(np.abs(seen_y - _IMAGE[1]) - _HALF[1], 0.0)
+    away = np.hypot(out_x, out_y)
+    image = 1.0 - np.clip(away / edge, 0.0, 1.0)
+    seen: Doubles = np.where(up > 0.0, _GLEAM * image**2 * (3.0 - 2.0 * image) + _SHEEN * np.exp(-3.0 * away), 0.0)
+    return seen
+
+
+def _noise(count: int) -> Doubles:
+    """Less than a level up or down, so that slow shades show no bands."""
+    return np.random.default_rng(1).uniform(-_DITHER, _DITHER, count)
+
+
+@lru_cache(maxsize=128)
+def shadow(radius: float, step: int) -> tuple[pygame.Surface, int, int]:
+    """A ball's shadow: dark where it touches, soft about it, and long away from the lamp.
+
+    With it how far to the right and down of the ball's middle pixel the picture's corner is.
+    """
+    half = math.ceil(radius * 2.4) + 1
+    across = np.arange(-half, half + 1, dtype=np.float64)
+    right, down = offset(step)
+    x = ((across - right) / radius)[:, None]
+    y = ((across - down) / radius)[None, :]
+    contact = _blot(x - 0.05, y - 0.09, 1.0, 0.16)
+    soft = _blot(x - 0.18, y - 0.26, 0.95, 0.50)
+    # The long one: a stadium from the ball away from the lamp.
+    length = math.hypot(_LAMP[0], _LAMP[1])
+    ox, oy = -_LAMP[0] / length, _LAMP[1] / length
+    along = np.clip(x * ox + y * oy, 0.0, 0.85)
+    long = _blot(x - along * ox, y - along * oy, 0.72, 0.62)
+    light_left = (1.0 - 0.52 * contact) * (1.0 - 0.40 * soft) * (1.0 - 0.20 * long)
+    image = pygame.Surface((2 * half + 1, 2 * half + 1), pygame.SRCALPHA)
+    level = 255.0 * (1.0 - light_left) + _noise(light_left.size).reshape(light_left.shape)
+    pygame.surfarray.pixels_alpha(image)[...] = np.where(light_left > 0.998, 0.0, np.clip(level, 0.0, 255.0)).astype(
+        np.uint8
+    )
+    box = image.get_bounding_rect()
+    # A copy of its own: no more is held, or read, than there is to be seen.
+    return image.subsurface(box).copy(), box.left - half, box.top - half
+
+
+def _blot(x: Doubles, y: Doubles, size: float, soft: float) -> Doubles:
+    """A disc whose edge fades over `soft` to either side."""
+    inside: Doubles = np.clip((size + soft - np.hypot(x, y)) / (2.0 * soft), 0.0, 1.0)
+    return inside * inside * (3.0 - 2.0 * inside)

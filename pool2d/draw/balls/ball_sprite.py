@@ -1,0 +1,59 @@
+"""The picture of a ball: each pixel is a point of the sphere, which turned back as the ball has turned tells its paint.
+
+All balls of one size are worked out together, which costs little more than one alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+
+from ...physics.orientation import Quaternion, matrix
+from . import ball_skin
+from .ball_light import Light, light
+from .ball_paint import Coat, paint
+
+# Levels of a ball's own transparency.
+LEVELS = 15
+
+
+class Sprite(NamedTuple):
+    """What a picture depends on: the radius in pixels, the step of `ball_light`, the orientation in any unit.
+
+    One that need not be `fine` may be looked up in the ball's skin: quick, for a moment good enough, and never
+    see-through.
+    """
+
+    coat: Coat
+    radius: float
+    step: int
+    lie: Quaternion
+    level: int = LEVELS
+    fine: bool = True
+
+
+def render(sprites: Sequence[Sprite], fine: bool) -> list[pygame.Surface]:
+    """The pictures of balls of one radius, painted for themselves or looked up in the balls' skins."""
+    radius, steps = sprites[0].radius, [sprite.step for sprite in sprites]
+    coats = [sprite.coat for sprite in sprites]
+    turns = np.array([matrix(sprite.lie) for sprite in sprites], dtype=np.float32)
+    if not fine:
+        return ball_skin.pictures(coats, radius, steps, turns)
+    lit = light(radius).at(steps)
+    # Turned back: the transposed matrix.
+    places = np.matmul(turns.transpose(0, 2, 1), lit[:, Light.NORMAL])
+    color, glossy = paint(coats, places, lit[:, Light.SOFT], radius)
+    color *= lit[:, Light.SHADE]
+    color += lit[:, Light.GLOSS] * glossy[:, None]
+    np.clip(color, 0.0, 255.0, out=color)
+    alpha = np.array([[255.0 * sprite.level / LEVELS] for sprite in sprites], dtype=np.float32)
+    pixels = np.empty((*glossy.shape, 4), dtype=np.uint8)
+    levels = color.astype(np.uint8)
+    for channel in range(3):
+        pixels[:, :, 2 - channel] = levels[:, channel]
+    pixels[:, :, 3] = lit[:, Light.COVER] * alpha
+    side = 2 * light(radius).half + 1
+    return [pygame.image.frombuffer(picture.data, (side, side), "BGRA") for picture in pixels]

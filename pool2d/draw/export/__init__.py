@@ -1,0 +1,1 @@
+"""Pictures and animations of a shot as files, without a window."""

@@ -1,0 +1,36 @@
+"""A scenario as a picture: the table, the balls, and the ways of the shot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pygame
+
+from ...game.orientations import racked
+from ...table.scenario import Scenario
+from .. import guide
+from ..balls import ball_art
+from ..tabletop import table_picture
+from ..view import fit
+from . import picture_file
+
+
+def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
+    """Write the picture; a ball is shown where it starts, and faintly where it ends.
+
+    Raises InputError where the file cannot be written.
+    """
+    picture_file.check_path(out)
+    pygame.font.init()
+    table = scenario.table
+    view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
+    picture = table_picture.lively(table_picture.draw(table, size, view))
+    guide.draw_whole(picture, scenario.simulate(), table, view)
+    lies = racked(scenario.layout)
+    balls = []
+    for ball in scenario.layout.on_table():
+        look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
+        radius = table.body_of(ball)[0] * view.scale
+        balls.append(ball_art.Placed(look, view.to_screen(ball.x, ball.y), radius, lies[ball.id]))
+    ball_art.draw_all(picture, balls)
+    picture_file.save(picture, out)

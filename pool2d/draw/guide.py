@@ -1,0 +1,157 @@
+"""What the present aim would do, taken from the real simulation, and how it is drawn."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import pygame
+
+from ..config.settings import GUIDES
+from ..physics.motion import Motion
+from ..physics.rollout import Event, Rollout
+from ..physics.values import POCKETED, SLIDING, Ball
+from ..table.furniture import Look
+from ..table.table import Table
+from . import pen, theme
+from .balls import ball_art
+from .view import View
+
+# The levels, as the settings name them in this order.
+OFF, LINE, GHOST, WHOLE = range(len(GUIDES))
+# Enough events to see past the first contact, also out of a rack.
+EVENTS = 25
+# How far the cue ball's way after the contact is followed, m.
+_AFTER = 0.6
+# How far a line is lighter than its ball, from the ball's own colour to white.
+_LIFT = 0.35
+_MEETINGS = ("ball_ball", "ball_cushion", "ball_pocket", "cluster")
+
+Line = list[tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    """The ways of a shot in m: the cue ball's to its first contact with a ball, and what follows.
+
+    `ghost` is the cue ball at that contact; `after` its way on, `object` the way of the ball it hits, to what
+    that meets or to where it rests.
+    """
+
+    cue: Line
+    ghost: Ball | None
+    after: Line
+    object: Line
+
+
+@lru_cache(maxsize=4)
+def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
+    """The guide of a rollout; `length` is how far the cue ball is followed after the contact."""
+    contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))
+    if contact is None:
+        return Guide(trace(rollout, cue), None, [], [])
+    hit = next(ball for ball in pair if ball != cue)
+    met = next((event.t for event in rollout.events if event.t > contact.t and _meets(event, hit)), math.inf)
+    return Guide(
+        trace(rollout, cue, end=contact.t),
+        contact.before[cue],
+        trace(rollout, cue, start=contact.t, length=length),
+        trace(rollout, hit, start=contact.t, end=met),
+    )
+
+
+def _meets(event: Event, ball: str) -> bool:
+    return event.kind in _MEETINGS and ball in event.balls
+
+
+def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf, length: float = math.inf) -> Line:
+    """The way of a ball between two times as a line of points, cut after `length` m."""
+    points: Line = []
+    track = rollout.tracks[ball]
+    ends = [*(motion.t0 for motion in track[1:]), rollout.duration]
+    for motion, last in zip(track, ends, strict=True):
+        t0, t1 = max(start, motion.t0), min(end, last)
+        if t0 < t1 and motion.phase != POCKETED:
+            points += _sampled(motion, t0, t1)
+    return _cut(points, length)
+
+
+def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
+    """Draw the guide at a level from LINE up."""
+    scale = _scale(view)
+    _line(surface, theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)
+    if guide.ghost is None or level < GHOST:
+        return
+    radius = table.body_of(guide.ghost)[0] * view.scale
+    centre = view.to_screen(guide.ghost.x, guide.ghost.y)
+    pen.disc(surface, (*theme.GUIDE_CUE[:3], 56), centre, radius)
+    pen.ring(surface, theme.GUIDE_CUE, centre, radius - 0.5, 1.4 * scale)
+    if level > GHOST:
+        # The ways on are among those of the whole shot.
+        return
+    _line(surface, theme.GUIDE_CUE, guide.after, view, 1.8 * scale)
+    _line(surface, theme.GUIDE_BALL, guide.object, view, 2.4 * scale)
+    if guide.object:
+        pen.disc(surface, theme.GUIDE_BALL, view.to_screen(*guide.object[-1]), 3.0 * scale)
+
+
+def draw_whole(
+    surface: pygame.Surface,
+    rollout: Rollout,
+    table: Table,
+    view: View,
+    cue: theme.Color = theme.GUIDE_CUE,
+    others: theme.Color | None = None,
+    style: theme.Style = theme.PLAIN,
+) -> None:
+    """Draw every ball's way to its end, and where it comes to rest or into which pocket it falls.
+
+    The way of the struck ball has the colour `cue`, that of every other one `others`, or else its ball's own.
+    """
+    scale = _scale(view)
+    struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
+    for ball in rollout.layout().values():
+        if len(rollout.tracks.get(ball.id, ())) > 1:
+            look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
+            color = cue if ball.id in struck else others or _own(look, style)
+            _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.8 * scale)
+            radius, place = table.body_of(ball)[0] * view.scale, view.to_screen(ball.x, ball.y)
+            if ball.phase == POCKETED:
+                pen.ring(surface, color, place, radius, 2.0 * scale)
+            else:
+                ball_art.draw(surface, ball.id, place, radius, True, look, style=style)
+
+
+def _own(look: Look, style: theme.Style) -> theme.Color:
+    """A ball's colour, light enough for a line on the cloth."""
+    red, green, blue = (round(part + _LIFT * (255 - part)) for part in style.palette.color(look.color)[:3])
+    return red, green, blue
+
+
+def _scale(view: View) -> float:
+    """How much thicker lines are drawn where the table is seen large."""
+    return min(max(1.0, view.scale / 400.0), 2.0)
+
+
+def _sampled(motion: Motion, start: float, end: float) -> Line:
+    """Points along a motion: its ends, and more where it bends."""
+    steps = 10 if motion.phase == SLIDING else 1
+    balls = (motion.at(start + (end - start) * step / steps) for step in range(steps + 1))
+    return [(ball.x, ball.y) for ball in balls]
+
+
+def _cut(points: Line, length: float) -> Line:
+    """The first `length` m of a line."""
+    for i in range(1, len(points)):
+        (ax, ay), (bx, by) = points[i - 1], points[i]
+        step = math.hypot(bx - ax, by - ay)
+        if step > length:
+            part = length / step
+            return [*points[:i], (ax + part * (bx - ax), ay + part * (by - ay))]
+        length -= step
+    return points
+
+
+def _line(surface: pygame.Surface, color: theme.Color, points: Line, view: View, width: float) -> None:
+    pen.path(surface, color, [view.to_screen(x, y) for x, y in points], width)

@@ -1,0 +1,126 @@
+"""What a layout does not say of its balls: how each lies, and in which order they fell."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+from ..physics.orientation import Quaternion, Turning, product, turn
+from ..physics.rollout import Rollout
+from ..physics.values import POCKETED, Layout
+from .actions import Arrange, NextFrame, Stalemate
+from .falling import fallen
+from .match import Moment
+
+# How far the number of a racked ball is from the top, rad, at most and mostly; and how far it is askew.
+_TILT, _SKEW = 0.75, 1.1
+
+
+class Lying(NamedTuple):
+    """How each ball lies, and the pocketed balls in the order of their fall."""
+
+    lies: dict[str, Quaternion]
+    down: list[str]
+
+
+class Keeper:
+    """Carries from shot to shot how the balls lie and in which order they fell.
+
+    A shot is a value, and so is how its balls turn: it starts from where the shot shown before it ended,
+    and is remembered as long as the shot is. Without a shot the balls lie as racked.
+    """
+
+    def __init__(self) -> None:
+        self._shots: WeakKeyDictionary[Rollout, _Shot] = WeakKeyDictionary()
+        self._shown: _Shot | None = None
+        self._racked: tuple[Layout, Lying] | None = None
+
+    def lying(self, layout: Layout, rollout: Rollout | None = None, t: float = math.inf) -> Lying:
+        """The balls of `layout`, to which `rollout` has led `t` seconds after its start."""
+        if rollout is None:
+            return self._rack(layout)
+        shot = self._shots.get(rollout)
+        if shot is None:
+            before = self._before(rollout.start)
+            shot = self._shots[rollout] = _Shot(
+                Turning(rollout, before.lies), before.down, fallen(rollout), rollout.layout()
+            )
+        self._shown = shot
+        pocketed = _pocketed(layout)
+        down = [ball for ball in shot.before + fallen(rollout, t) if ball in pocketed]
+        return Lying(shot.turning.lies(t), down)
+
+    def follow(self, before: Moment, rollout: Rollout, last: Moment | None) -> None:
+        """Let the balls of a stroke, played from the moment `before`, lie as the `last` stroke, if any, left them."""
+        if last is not None and last.rollout is not None:
+            self.lying(last.rollout.start, last.rollout)
+        racked = last is None or before.state.racks != last.state.racks
+        if racked or isinstance(before.action, NextFrame | Arrange | Stalemate):
+            self.lying(rollout.start)
+        self.lying(rollout.start, rollout)
+
+    def turning(self, rollout: Rollout) -> Turning:
+        """How the balls of a shot that has been shown turn."""
+        return self._shots[rollout].turning
+
+    def _before(self, start: Layout) -> Lying:
+        """How the balls lie where a shot starts that was not shown before."""
+        lies, down = racked(start), []
+        if self._shown is not None:
+            lies |= self._shown.turning.lies(math.inf)
+            down = self._shown.before + self._shown.fallen
+        elif self._racked is not None:
+            lies |= self._racked[1].lies
+        return Lying(lies, _order(down, start))
+
+    def _rack(self, layout: Layout) -> Lying:
+        shot, self._shown = self._shown, None
+        if shot is not None:
+            self._racked = shot.end, Lying(shot.turning.lies(math.inf), shot.before + shot.fallen)
+        if self._racked is None or self._racked[0] is not layout:
+            lies, known = racked(layout), []
+            if self._racked is not None and _moved(self._racked[0], layout) <= 1:
+                # No new rack: a hand has moved a ball, and does not turn it.
+                lies |= self._racked[1].lies
+                known = self._racked[1].down
+            self._racked = layout, Lying(lies, _order(known, layout))
+        return self._racked[1]
+
+
+class _Shot(NamedTuple):
+    """How a shot's balls turn, the balls that were down before it in order, those that fell, and how it ended."""
+
+    turning: Turning
+    before: list[str]
+    fallen: list[str]
+    end: Layout
+
+
+def racked(layout: Layout) -> dict[str, Quaternion]:
+    """How the balls of a rack lie: askew, their numbers mostly to be seen; the same for the same rack."""
+    lies = {}
+    for ball in layout.values():
+        rng = random.Random(f"{ball.id} {ball.x!r} {ball.y!r}")
+        skew, way = rng.gauss(0.0, _SKEW), math.tau * rng.random()
+        tilt = _TILT * math.sqrt(rng.random())
+        lies[ball.id] = product(turn(tilt * math.cos(way), tilt * math.sin(way), 0.0), turn(0.0, 0.0, skew))
+    return lies
+
+
+def _order(known: list[str], layout: Layout) -> list[str]:
+    """The pocketed balls of a layout: those whose fall is known in that order, before them the others."""
+    down = _pocketed(layout)
+    order = [ball for ball in known if ball in down]
+    return [ball for ball in down if ball not in order] + order
+
+
+def _moved(before: Layout, after: Layout) -> int:
+    """How many balls are elsewhere than before."""
+    places = {ball.id: (ball.x, ball.y) for ball in before.values()}
+    return sum(places.get(ball.id) != (ball.x, ball.y) for ball in after.values())
+
+
+def _pocketed(layout: Layout) -> list[str]:
+    return [ball.id for ball in layout.values() if ball.phase == POCKETED]

@@ -1,0 +1,1 @@
+"""Matches written down as they are played, and played again."""

@@ -1,0 +1,219 @@
+"""How a report is made of a shot: what a referee who watches it would notice.
+
+Of what a referee looks for the engine cannot show: a tip that strikes the cue ball twice or follows it (the
+cue is gone once it has struck; only a ball met while a tip would still be on the cue ball is seen), a ball
+moved by hand, cloth or sleeve, feet, turns and time. Balls stay on the bed, so none jumps off it yet; a
+report can say so all the same.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from ..physics.motion import Motion
+from ..physics.rollout import Event, Rollout
+from ..physics.values import Ball
+from ..table.table import Table
+from .rules.corners import corner_of, lines
+from .rules.report import BALL, FROZEN, POCKET, RAIL, Call, Contact, Report
+
+# A ball has left a cushion once it has been this far from it, m.
+LEFT = 2e-4
+# How long a tip stays on the cue ball, s: high-speed films show about a millisecond.
+TIP_TIME = 1e-3
+# A ball hit thinner than half full is grazed: the cosine between the cue ball's way and the line of centres.
+GRAZED = math.cos(math.radians(30.0))
+
+
+def read(table: Table, rollout: Rollout, call: Call | None = None, cue: str = "") -> Report:
+    """The report of a whole shot; `cue` is the ball that was struck, the table's cue ball where not given."""
+    return _Reader(table, rollout, cue or table.furniture.cue).report(call or Call())
+
+
+class _Reader:
+    """Goes through the events of a rollout once."""
+
+    def __init__(self, table: Table, rollout: Rollout, cue: str) -> None:
+        self.table = table
+        self.rollout = rollout
+        self.cue = cue
+        self.start = rollout.start
+        self.line = table.furniture.head_string
+        # How far down and up the table each ball gets.
+        self.spans = {ball: _span(track, rollout.duration) for ball, track in rollout.tracks.items()}
+        # When each ball was last on each cushion.
+        self.on_rail = dict.fromkeys(self.frozen(), 0.0)
+        self.frozen_at_start = tuple(self.on_rail)
+
+    def report(self, call: Call) -> Report:
+        contacts: list[Contact] = []
+        first: tuple[str, ...] = ()
+        when = math.inf
+        for event in self.rollout.events:
+            met = list(self.contacts(event))
+            hit = [c.other for c in met if c.kind == BALL and c.ball == self.cue]
+            if hit and not first:
+                first, when = tuple(ball for ball in hit if ball == hit[0] or self.meets(event, ball)), event.t
+            contacts += met
+        touching = tuple(
+            ball.id for ball in self.start.on_table() if ball.id != self.cue and self.gap(ball) <= FROZEN
+        )  # fmt: skip
+        return Report(
+            contacts=tuple(contacts),
+            call=call,
+            cue=self.cue,
+            first=first,
+            touching=touching,
+            pressed=tuple(ball for ball in touching if ball in first and when <= TIP_TIME),
+            frozen=self.frozen_at_start,
+            stroke=tuple(self.stroke(first, touching, when)),
+            kitchen=self.kitchen(first, when),
+            stayed=self.stayed(),
+            crossed=self.over(self.line),
+            passed=self.over(0.5 * self.table.knobs.table.length),
+            cleared=tuple(self.cleared()),
+            astray=self.astray(),
+            jammed=tuple(self.jammed()),
+            strayed=() if self.table.geometry.pockets else tuple(self.strayed()),
+            start=self.start,
+        )
+
+    def contacts(self, event: Event) -> Iterator[Contact]:
+        """What an event says of who met what."""
+        for a, b in event.pairs:
+            yield Contact(BALL, b, a) if b == self.cue else Contact(BALL, a, b)
+        for ball, cushion in event.rails:
+            if self.arrives(ball, cushion, event.t):
+                yield Contact(RAIL, ball, cushion)
+        if event.kind == "ball_pocket":
+            yield Contact(POCKET, event.balls[0], event.where or "")
+
+    def arrives(self, ball: str, cushion: str, t: float) -> bool:
+        """Whether a ball comes to a cushion, rather than being pressed against it where it lay."""
+        last = self.on_rail.get((ball, cushion))
+        self.on_rail[ball, cushion] = t
+        if last is None:
+            return True
+        moments = [moment for _, a, b in _pieces(self.rollout.tracks[ball], last, t) for moment in (a, 0.5 * (a + b))]
+        return any(self.rail_gap(self.rollout.ball_at(ball, moment), cushion) > LEFT for moment in moments)
+
+    def rail_gap(self, ball: Ball, cushion: str) -> float:
+        """How far a ball is from a cushion, m."""
+        reach = self.table.reach(self.table.body_of(ball)[0])
+        return min(e.gap(ball.x, ball.y, reach) for e in self.table.elements if _is_rail(e, cushion))
+
+    def frozen(self) -> Iterator[tuple[str, str]]:
+        """The balls that lay on a cushion, and which."""
+        for ball in self.start.on_table():
+            radius = self.table.body_of(ball)[0]
+            reach, room = self.table.reach(radius), radius + FROZEN
+            for index in self.table.near(ball.x - room, ball.y - room, ball.x + room, ball.y + room):
+                element = self.table.elements[index]
+                if element.kind == "ball_cushion" and element.gap(ball.x, ball.y, reach) <= FROZEN:
+                    yield ball.id, element.name
+
+    def gap(self, ball: Ball) -> float:
+        """How far a ball is from the cue ball before the shot, m."""
+        cue = self.start[self.cue]
+        return math.hypot(ball.x - cue.x, ball.y - cue.y) - self.table.touch(ball, cue)
+
+    def meets(self, event: Event, ball: str) -> bool:
+        """Whether the cue ball touches a ball at the very moment of an event."""
+        a, b = event.before[self.cue], event.before[ball]
+        touch = self.table.touch(self.start[self.cue], self.start[ball])
+        return math.hypot(a.x - b.x, a.y - b.y) - touch <= FROZEN
+
+    def stroke(self, first: Iterable[str], touching: tuple[str, ...], when: float) -> Iterator[str]:
+        """What was wrong with the stroke, as far as it can be seen."""
+        if any(event.kind == "cue_ball" and event.where == "miscue" for event in self.rollout.events):
+            yield "miscue"
+        if when <= TIP_TIME and any(ball not in touching and self.full(ball, when) for ball in first):
+            yield "double-hit"
+
+    def full(self, ball: str, when: float) -> bool:
+        """Whether the cue ball's first way leads to more than half of a ball."""
+        cue = self.rollout.ball_at(self.cue, 0.5 * when)
+        other = self.start[ball]
+        dx, dy = other.x - cue.x, other.y - cue.y
+        along = cue.vx * dx + cue.vy * dy
+        return along > GRAZED * math.hypot(dx, dy) * math.hypot(cue.vx, cue.vy)
+
+    def kitchen(self, first: tuple[str, ...], when: float) -> bool:
+        """Whether the first ball met stood behind the head string and the cue ball had not crossed it."""
+        if self.line is None or not first or any(self.start[ball].x >= self.line for ball in first):
+            return False
+        return _span(self.rollout.tracks[self.cue], when)[1] < self.line
+
+    def stayed(self) -> bool:
+        """Whether the cue ball never crossed the head string nor met a ball beyond it."""
+        if self.line is None or self.spans[self.cue][1] >= self.line:
+            return False
+        met = [(event, pair) for event in self.rollout.events for pair in event.pairs if self.cue in pair]
+        return all(event.before[ball].x < self.line for event, pair in met for ball in pair)
+
+    def astray(self) -> bool:
+        """Whether the cue ball went over the long string."""
+        middle = 0.5 * self.table.knobs.table.width
+        low, high = _span(self.rollout.tracks[self.cue], self.rollout.duration, 0.0, 1.0)
+        return low < middle < high
+
+    def jammed(self) -> Iterator[str]:
+        """The cushions that the cue ball lay on and was shot into."""
+        for event in self.rollout.events:
+            if event.t <= TIP_TIME:
+                yield from (
+                    rail for ball, rail in event.rails if (ball, rail) in self.frozen_at_start and ball == self.cue
+                )
+
+    def strayed(self) -> Iterator[str]:
+        """The object balls that stood in a corner and left it."""
+        for ball in self.start.on_table():
+            corner = corner_of(self.table, ball.x, ball.y)
+            if ball.id != self.cue and corner:
+                u, v, limit = lines(self.table)[corner]
+                if _span(self.rollout.tracks[ball.id], self.rollout.duration, u, v)[1] > limit:
+                    yield ball.id
+
+    def cleared(self) -> Iterator[str]:
+        """The object balls that came over the middle of the table's length with their whole width."""
+        middle = 0.5 * self.table.knobs.table.length
+        for ball, (low, high) in self.spans.items():
+            if ball != self.cue:
+                x, radius = self.start[ball].x, self.table.body_of(self.start[ball])[0]
+                if (low + radius < middle) if x > middle else (high - radius > middle):
+                    yield ball
+
+    def over(self, line: float | None) -> tuple[str, ...]:
+        """The object balls whose centre goes over a line across the table."""
+        if line is None:
+            return ()
+        return tuple(ball for ball, (low, high) in self.spans.items() if ball != self.cue and low < line < high)
+
+
+def _is_rail(element: Any, name: str) -> bool:
+    return bool(element.kind == "ball_cushion" and element.name == name)
+
+
+def _pieces(track: list[Motion], start: float, end: float) -> Iterator[tuple[Motion, float, float]]:
+    """The motions of a ball between two times, each with the part of that time in which it holds."""
+    for i, motion in enumerate(track):
+        until = track[i + 1].t0 if i + 1 < len(track) else math.inf
+        if motion.t0 < end and until > start:
+            yield motion, max(motion.t0, start), min(until, end)
+
+
+def _span(track: list[Motion], end: float, u: float = 1.0, v: float = 0.0) -> tuple[float, float]:
+    """The least and greatest ux + vy of a ball up to a time."""
+    found = []
+    for motion, a, b in _pieces(track, 0.0, end):
+        place, speed, bend = (u * along + v * across for along, across in _xy(motion))
+        turn = motion.t0 - 0.5 * speed / bend if bend else a
+        found += [place + (speed + bend * s) * s for s in (t - motion.t0 for t in (a, min(max(turn, a), b), b))]
+    return min(found, default=0.0), max(found, default=0.0)
+
+
+def _xy(motion: Motion) -> tuple[tuple[float, float], ...]:
+    """Place, speed and half the acceleration of a motion where it starts."""
+    return (motion.x, motion.y), (motion.vx, motion.vy), (motion.hx, motion.hy)

@@ -1,0 +1,255 @@
+"""English eight-ball by the World Rules of the WEPF (edition of 2020), whose sections are named by letters.
+
+These are the rules of two visits after a foul, not those of blackball, nor the International Rules of 2023.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from ....physics.values import POCKETED, Layout
+from ....table.outline import Point
+from ..base import AIM, Ruling, State
+from ..notes import Note
+from ..report import BALL, Report
+from ..sight import sees, snookered
+from ..spotting import KITCHEN, nearest, put
+from ..vantage import vantage
+from .pool import DRIVEN, PoolRules, changed, driven
+
+BLACK = "black"
+RED, YELLOW = "red", "yellow"
+
+
+@dataclass(frozen=True, slots=True)
+class EnglishState(State):
+    """A frame.
+
+    `groups` are the players' colours, "" while the table is open. `visits` are those the player at the table still
+    has, the present one with them. `free`: the player is foul-snookered and may nominate a ball. `trial` is a
+    colour nominated after the break of which no ball had fallen.
+    """
+
+    groups: tuple[str, ...] = ("", "")
+    visits: int = 1
+    free: bool = False
+    trial: str = ""
+
+    @property
+    def open(self) -> bool:
+        return not self.groups[0]
+
+
+class EnglishEightBall(PoolRules[EnglishState]):
+    """D: clear your colour, then pot the black. After a foul the opponent has two visits."""
+
+    name = "english-eight-ball"
+    title = "English eight-ball"
+    racks = ("eight-ball",)
+    groups = (RED, YELLOW)
+    state_type = EnglishState
+
+    def on(self, state: EnglishState, layout: Layout, who: int) -> tuple[str, ...]:
+        """C (3): one's colour, and the black when it is gone; on an open table both colours (H)."""
+        if not state.shots:
+            return self.on_table(layout)
+        standing = self.on_table(layout)
+        colors = (RED, YELLOW) if state.open and not state.trial else (state.trial or state.groups[who],)
+        mine = tuple(ball for color in colors for ball in self.table.furniture.groups[color] if ball in standing)
+        return mine or tuple(ball for ball in standing if ball == BLACK)
+
+    def judge(self, state: EnglishState, layout: Layout, report: Report) -> Ruling:
+        who, broken = state.ask.who, not state.shots
+        on = self.on(state, report.start, who)
+        state = replace(state, shots=state.shots + 1)
+        if broken:
+            return self._break(state, layout, report)
+        nominated = report.call.ball if state.free and report.call.ball in state.ask.on else ""
+        fouls = tuple(self.fouls(state, report, on, nominated))
+        if BLACK in report.potted:
+            return self._black(state, layout, on, fouls)
+        layout, spotted = self.spot(layout, report.off)
+        if fouls:
+            return self._fouled(state, layout, fouls, spotted)
+        fallen = {color for color in (RED, YELLOW) if set(report.potted) & set(self.table.furniture.groups[color])}
+        potted = any(ball in on or ball == nominated for ball in report.potted)
+        notes: tuple[Note, ...] = ()
+        if state.open and potted:
+            if not state.trial and len(fallen) == 2:
+                # H (3) (b)
+                return self.ruled(self._nominating(state, who), layout)
+            state, notes = self._decided(state, who, state.trial or fallen.pop())
+        state = replace(state, trial="")
+        return self._goes_on(state, layout, potted, notes)
+
+    def picked(self, state: EnglishState, layout: Layout, key: str) -> Ruling:
+        who = state.ask.who
+        name, _, color = key.partition(":")
+        if name == "baulk":
+            # P (3) (b), (4) (b): a player who takes the cue ball to baulk may be foul-snookered there too.
+            layout = layout.put(layout[self.table.furniture.cue]._replace(phase=POCKETED))
+            return self._to_play(state, layout, who)
+        # H (2) (c), (3) (b): a colour of which a ball has fallen is one's own, another has to be potted first.
+        if any(layout[ball].phase == POCKETED for ball in self.table.furniture.groups[color]):
+            state, notes = self._decided(state, who, color)
+            return self.ruled(self.next(state, layout, who), layout, *notes)
+        state = replace(state, trial=color)
+        return self.ruled(self.next(state, layout, who), layout)
+
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """Not a ball that left the colours undecided, since it was not the one that had been chosen (H 2 c)."""
+        state: EnglishState = ruling.state  # type: ignore[assignment]
+        return () if state.open and ruling.ask.kind == AIM else super().pots(who, report, ruling)
+
+    def fouls(self, state: EnglishState, report: Report, on: tuple[str, ...], nominated: str) -> Iterator[Note]:
+        """K, N, R and S: the standard fouls, as far as they can be seen, and G: a shot that is not legal."""
+        legal = (*on, nominated) if nominated else on
+        if report.scratch:
+            yield Note("foul.scratch")
+        if report.cue_off:
+            yield Note("foul.cue-off")
+        for ball in report.off:
+            yield Note("foul.off", ball=ball)
+        theirs = () if state.open else self.table.furniture.groups[state.groups[self.other(state.ask.who)]]
+        for ball in report.potted:
+            if ball in theirs and ball != nominated:
+                yield Note("foul.potted", ball=ball)
+        yield from self._hit(report, legal)
+        if report.pressed or any(fault in ("push", "double-hit") for fault in report.stroke):
+            yield Note("foul.push")
+
+    def _hit(self, report: Report, legal: tuple[str, ...]) -> Iterator[Note]:
+        """G (1): a ball on first, then a ball on potted or any ball to a cushion, unless in a total snooker (3).
+
+        R: to play away from a touching ball that is on is to have played it.
+        """
+        touched = bool(set(report.touching) & set(legal))
+        if not report.first and not touched:
+            yield Note("foul.no-hit")
+        elif not touched and not set(report.first) & set(legal):
+            yield Note("foul.wrong-ball", ball=report.first[0])
+        elif not self._moved(report, touched) and sees(
+            self.table, report.start, report.start[report.cue], [ball for ball in legal if ball in report.start]
+        ):
+            yield Note("foul.no-rail")
+
+    def _moved(self, report: Report, touched: bool) -> bool:
+        """Whether a ball fell, left the table or met a cushion once a ball had been played."""
+        after = report.contacts if touched else report.after
+        return any(contact.kind != BALL for contact in after)
+
+    def _break(self, state: EnglishState, layout: Layout, report: Report) -> Ruling:
+        """F (4): the break is fair where a colour is potted or four balls are driven to a cushion."""
+        who = state.ask.who
+        opponent = self.other(who)
+        if BLACK in report.potted:
+            # The same player breaks again, whatever else happened.
+            return self._racked_again(state, who, state.visits)
+        if not report.potted and driven(report) < DRIVEN:
+            # (b)
+            return self._racked_again(state, opponent, 2, Note("foul.break"))
+        layout, spotted = self.spot(layout, report.off)
+        fouls = tuple(
+            note for note in self.fouls(state, report, self.on_table(report.start), "") if note.key != "foul.no-rail"
+        )
+        if tuple(note.key for note in fouls) == ("foul.scratch",):
+            # K (1), L: the turn passes, and that is all.
+            return self._to_play(replace(state, visits=1), layout, opponent, fouls, spotted)
+        if fouls:
+            return self._fouled(state, layout, fouls, spotted)
+        if report.potted:
+            # H (2) (b)
+            return self.ruled(self._nominating(state, who), layout)
+        return self._goes_on(state, layout, False)
+
+    def _racked_again(self, state: EnglishState, who: int, visits: int, *fouls: Note) -> Ruling:
+        """A new rack, which a player breaks with one visit or two."""
+        ruling = self.broken_by(who, state)
+        again: EnglishState = ruling.state  # type: ignore[assignment]
+        notes = (*fouls, Note("re-racked"), *((Note("two-visits", who),) if visits > 1 else ()), Note("break", who))
+        return ruling._replace(state=replace(again, visits=visits), fouls=fouls, notes=notes)
+
+    def _black(self, state: EnglishState, layout: Layout, on: tuple[str, ...], fouls: tuple[Note, ...]) -> Ruling:
+        """D (1): the black, on and without foul, wins. M: it loses on a foul, or before one's colour is gone."""
+        who = state.ask.who
+        if BLACK in on and not fouls:
+            return self.ruled(self.ended(state, who), layout)
+        reason = "loss.black-foul" if BLACK in on else "loss.black-early"
+        return self.ruled(self.ended(state, self.other(who)), layout, Note(reason, who), fouls=fouls)
+
+    def _fouled(
+        self, state: EnglishState, layout: Layout, fouls: tuple[Note, ...], spotted: tuple[tuple[str, Point], ...]
+    ) -> Ruling:
+        """K: the opponent has two visits."""
+        opponent = self.other(state.ask.who)
+        state = replace(state, visits=2, trial="")
+        return self._to_play(state, layout, opponent, fouls, spotted, (Note("two-visits", opponent),))
+
+    def _to_play(
+        self,
+        state: EnglishState,
+        layout: Layout,
+        who: int,
+        fouls: tuple[Note, ...] = (),
+        spotted: tuple[tuple[str, Point], ...] = (),
+        notes: tuple[Note, ...] = (),
+    ) -> Ruling:
+        """The turn after a foul: from baulk (E) where the cue ball is off the table, and P.
+
+        Who is foul-snookered, by balls or by a jaw (Q), may play from where the cue ball lies or from baulk, and
+        nominate a ball that is not on.
+        """
+        on, cue = self.on(state, layout, who), layout[self.table.furniture.cue]
+        where = KITCHEN if cue.phase == POCKETED else ""
+        # Q: a jaw snookers the cue ball that lies between it and its like.
+        hidden = (
+            vantage(self.table, layout, cue, on, where, between=True) is None
+            if where
+            else snookered(self.table, layout, cue, on, between=True)
+        )
+        state = replace(state, free=hidden)
+        if hidden:
+            options = () if where else ("baulk",)
+            state = self.next(state, layout, who, where, on=self.on_table(layout), call="ball", options=options)
+            notes = (*notes, Note("free-ball"))
+        else:
+            state = self.next(state, layout, who, where, options=())
+        return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted)
+
+    def _goes_on(self, state: EnglishState, layout: Layout, potted: bool, notes: tuple[Note, ...] = ()) -> Ruling:
+        """C (5), (6): a visit lasts while balls on are potted; then comes the next, or the opponent."""
+        who, state = state.ask.who, replace(state, free=False)
+        if not potted:
+            mine = state.visits > 1
+            who = who if mine else self.other(who)
+            state = replace(state, visits=state.visits - 1 if mine else 1)
+        return self.ruled(self.next(state, layout, who), layout, *notes)
+
+    def _nominating(self, state: EnglishState, who: int) -> EnglishState:
+        return self.to_choose(replace(state, free=False, trial=""), who, f"group:{RED}", f"group:{YELLOW}")
+
+    def _decided(self, state: EnglishState, who: int, color: str) -> tuple[EnglishState, tuple[Note, ...]]:
+        """H (1) (c): a player's colour, and the other for the opponent, for the rest of the frame."""
+        other = YELLOW if color == RED else RED
+        groups = changed((other, other), who, color)
+        return replace(state, groups=groups, trial=""), (Note(f"group.{color}", who),)
+
+    def spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+        """S: balls off the table go on the spot, or behind it without touching another: the black, reds, yellows."""
+        spotted: list[tuple[str, Point]] = []
+        order = [BLACK, *(ball for color in (RED, YELLOW) for ball in self.table.furniture.groups[color])]
+        for ball in sorted(balls, key=order.index):
+            spot = self.table.furniture.spots[BLACK]
+            every = frozenset(layout)
+            place = nearest(self.table, layout, ball, spot, 1, every) or nearest(
+                self.table, layout, ball, spot, -1, every
+            )
+            if place is not None:
+                layout = put(layout, ball, place)
+                spotted.append((ball, place))
+        return layout, tuple(spotted)
+
+    def next_note(self, state: EnglishState) -> Note:
+        note = super().next_note(state)
+        return replace(note, key="in-hand.baulk") if note.key == "in-hand.kitchen" else note

@@ -1,0 +1,62 @@
+"""The fouls that the pool games share. Clauses are those of the WPA's Rules of Play of 15 September 2025."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from ..notes import Note
+from ..report import Report
+
+
+def seen(report: Report, on: Collection[str], *, kitchen: bool = False, push: bool = False) -> tuple[Note, ...]:
+    """Every foul of a shot, the gravest first.
+
+    `on` are the balls that may be hit first. `kitchen`: the cue ball was in hand behind the head string.
+    `push`: it was a push out, in which any ball or none may be hit, and no rail is needed (5.4, 6.4).
+    """
+    hit = () if push else (*_hit(report, on), *_rail(report))
+    played = _from_kitchen(report) if kitchen else ()
+    return (*_cue_ball(report), *_balls_off(report), *hit, *played, *_stroke(report))
+
+
+def _cue_ball(report: Report) -> Iterator[Note]:
+    """3.1: the cue ball is pocketed or driven off the table."""
+    if report.scratch:
+        yield Note("foul.scratch")
+    if report.cue_off:
+        yield Note("foul.cue-off")
+
+
+def _balls_off(report: Report) -> Iterator[Note]:
+    """3.5: an object ball is driven off the table."""
+    for ball in report.off:
+        yield Note("foul.off", ball=ball)
+
+
+def _hit(report: Report, on: Collection[str]) -> Iterator[Note]:
+    """3.2: a wrong ball is hit first; of balls met at the same moment the shooter has the benefit. 3.3: none is hit."""
+    if not report.first:
+        yield Note("foul.no-hit")
+    elif not set(report.first) & set(on):
+        yield Note("foul.wrong-ball", ball=report.first[0])
+
+
+def _rail(report: Report) -> Iterator[Note]:
+    """3.3: after the hit no ball is pocketed or driven to a rail; 2.7 says when one is."""
+    if report.first and not report.driven:
+        yield Note("foul.no-rail")
+
+
+def _from_kitchen(report: Report) -> Iterator[Note]:
+    """3.11: the first ball hit is behind the head string, or the cue ball stays there and meets nothing beyond."""
+    if report.stayed:
+        yield Note("foul.stayed")
+    elif report.kitchen:
+        yield Note("foul.kitchen")
+
+
+def _stroke(report: Report) -> Iterator[Note]:
+    """3.7: double hit; 3.8: push shot. A miscue is no foul of its own."""
+    for fault in report.stroke:
+        if fault in ("double-hit", "push"):
+            yield Note(f"foul.{fault}", ball=report.first[0] if report.first else "")

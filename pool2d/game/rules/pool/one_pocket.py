@@ -1,0 +1,139 @@
+"""One-pocket by the rules of OnePocket.org, adopted 9 October 2021, by the section numbers of those of 2005.
+
+Where these are silent, the WPA's general rules hold. Balls moved by hand, and handicaps beyond the
+number of balls to make, are left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ....config.knobs import choice, knob
+from ....physics.values import Layout
+from ....table.outline import Point
+from ....table.table import Table
+from ..base import YES_NO, Options, Ruling, State
+from ..notes import Note
+from ..report import Report
+from ..spotting import KITCHEN, spot_balls
+from .fouls import seen
+from .pool import PoolRules, changed, gone
+
+
+@dataclass(frozen=True, slots=True)
+class OnePocketOptions(Options):
+    target: float = knob(8.0, 1.0, 8.0, "balls", "how many balls win")
+    three_foul: str = choice("yes", YES_NO, "three fouls in a row lose the game")
+
+
+@dataclass(frozen=True, slots=True)
+class OnePocketState(State):
+    """`pockets` are the players', `held` the balls they made, `owed` how many balls they owe.
+
+    `waiting` are balls made in other pockets, to be spotted when the inning is over.
+    """
+
+    pockets: tuple[str, ...] = ("", "")
+    held: tuple[tuple[str, ...], ...] = ((), ())
+    owed: tuple[int, ...] = (0, 0)
+    waiting: tuple[str, ...] = ()
+
+
+class OnePocket(PoolRules[OnePocketState]):
+    """Each player scores in one of the two pockets at the foot; eight balls win. Nothing is called (section 1)."""
+
+    name = "one-pocket"
+    title = "One-pocket"
+    scored = True
+    racks = ("straight-pool",)
+    options_type = OnePocketOptions
+    state_type = OnePocketState
+
+    def broken_by(self, player: int, state: OnePocketState) -> Ruling:
+        """2.1: the breaker chooses a pocket before the break."""
+        new = OnePocketState(seed=state.seed, racks=state.racks, breaker=player)
+        new, layout = self.racked(new)
+        new = replace(new, turn=player)
+        return self.ruled(self.to_choose(new, player, *(f"pocket:{name}" for name in foot(self.table))), layout)
+
+    def picked(self, state: OnePocketState, layout: Layout, key: str) -> Ruling:
+        name, _, mine = key.partition(":")
+        if name != "pocket":
+            return super().picked(state, layout, key)
+        who = state.ask.who
+        other = next(pocket for pocket in foot(self.table) if pocket != mine)
+        state = replace(state, pockets=(mine, other) if who == 0 else (other, mine))
+        return self.ruled(self.to_play(state, layout, who, KITCHEN, on=self.on_table(layout)), layout)
+
+    def judge(self, state: OnePocketState, layout: Layout, report: Report) -> Ruling:
+        who, opponent, ask = state.ask.who, self.other(state.ask.who), state.ask
+        fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
+        before, state = state, self.counted(replace(state, shots=state.shots + 1), who, bool(fouls))
+        mine, theirs, neutral = self._sorted(state, report)
+        notes: tuple[Note, ...] = ()
+        if fouls:
+            # 6.2: nothing counts for the shooter; for the opponent it does, unless the cue ball is gone.
+            neutral, mine = (*mine, *neutral), ()
+            if gone(layout, report.cue):
+                neutral, theirs = (*theirs, *neutral), ()
+            state = replace(state, owed=changed(state.owed, who, state.owed[who] + 1))
+            notes = (*self.second(state, who), Note("owes", who))
+            if self.options.three_foul == "yes" and state.fouls[who] >= 3:
+                return self._told(before, self.ended(state, opponent), layout, Note("foul.three", who), fouls=fouls)
+        held = changed(state.held, who, (*state.held[who], *mine))
+        held = changed(held, opponent, (*held[opponent], *theirs))
+        state = replace(state, held=held, waiting=(*state.waiting, *neutral))
+        for player in (who, opponent):
+            if len(state.held[player]) - state.owed[player] >= self.options.target:
+                return self._told(before, self.ended(state, player), layout, *notes, fouls=fouls)
+        spotted: tuple[tuple[str, Point], ...] = ()
+        if not mine or not self.on_table(layout):
+            # Spotting comes at the end of an inning, or when the table is empty.
+            state, back = _due(state)
+            layout, spotted = spot_balls(self.table, layout, back)
+        where = KITCHEN if gone(layout, report.cue) else ""  # 6.3: after any other foul the balls lie as they are.
+        state = self.next(state, layout, who if mine else opponent, where)
+        return self._told(before, state, layout, *notes, fouls=fouls, spotted=spotted)
+
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """Those in one's own pocket."""
+        state: OnePocketState = ruling.state  # type: ignore[assignment]
+        return () if ruling.foul else tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[who])
+
+    def _told(self, before: OnePocketState, state: OnePocketState, layout: Layout, *notes: Note, **more: Any) -> Ruling:
+        """A ruling with the scores worked out: the balls made, less those owed."""
+        scores = tuple(len(held) - owed for held, owed in zip(state.held, state.owed, strict=True))
+        change = tuple(new - old for new, old in zip(scores, before.scores, strict=True))
+        return self.ruled(replace(state, scores=scores), layout, *notes, points=change, **more)
+
+    def _sorted(
+        self, state: OnePocketState, report: Report
+    ) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+        """The balls that fell into the shooter's pocket, into the opponent's, and elsewhere or off the table."""
+        who = state.ask.who
+        mine = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[who])
+        theirs = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[self.other(who)])
+        rest = tuple(ball for ball in (*report.potted, *report.off) if ball not in (*mine, *theirs))
+        return mine, theirs, rest
+
+
+def foot(table: Table) -> tuple[str, str]:
+    """The names of the two pockets furthest from the head, from low y to high."""
+    far = sorted(table.geometry.pockets, key=lambda pocket: pocket.x)[-2:]
+    low, high = sorted(far, key=lambda pocket: pocket.y)
+    return low.name, high.name
+
+
+def _due(state: OnePocketState) -> tuple[OnePocketState, tuple[str, ...]]:
+    """What is spotted when an inning is over: the waiting balls, and of what each player owes as many as he holds.
+
+    Balls that the opponent has made for a debtor pay at the end of that inning, not of his own next one (6.4).
+    """
+    back, held, owed = state.waiting, state.held, state.owed
+    for player, balls in enumerate(state.held):
+        pay = min(owed[player], len(balls))
+        back = (*back, *balls[len(balls) - pay :])
+        held = changed(held, player, balls[: len(balls) - pay])
+        owed = changed(owed, player, owed[player] - pay)
+    return replace(state, waiting=(), held=held, owed=owed), back

@@ -1,0 +1,122 @@
+"""What the pool games share: the break, the turn with the cue ball in hand, three fouls, a new rack."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, TypeVar
+
+from ....physics.values import POCKETED, Layout
+from ..base import Rules, Ruling, State
+from ..notes import Note
+from ..report import Report
+from ..spotting import KITCHEN, spot_balls
+
+S = TypeVar("S", bound=State)
+T = TypeVar("T")
+
+# How many balls an opening break has to drive to a rail where none is pocketed.
+DRIVEN = 4
+
+
+class PoolRules(Rules[S]):
+    """Rules in which one cue ball is played and broken from behind the head string.
+
+    `call` is what has to be called after the break, `may` what else may be said.
+    """
+
+    call = ""
+    may: tuple[str, ...] = ()
+
+    def on(self, state: S, layout: Layout, who: int) -> tuple[str, ...]:
+        """The balls that a player may hit first."""
+        return self.on_table(layout)
+
+    def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
+        state: S = self.state_type(seed=seed)  # type: ignore[assignment]
+        return self.broken_by(breaker, state)
+
+    def broken_by(self, player: int, state: S) -> Ruling:
+        """A new rack, which a player breaks."""
+        new: S = self.state_type(seed=state.seed, racks=state.racks, breaker=player)  # type: ignore[assignment]
+        new, layout = self.racked(new)
+        return self.ruled(self.to_play(new, layout, player, KITCHEN, on=self.on(new, layout, player)), layout)
+
+    def stalemate(self, state: S) -> Ruling:
+        """What follows when both players see no progress (1.13): who broke the rack breaks again."""
+        return self.broken_by(state.breaker, state)
+
+    def next(self, state: S, layout: Layout, who: int, where: str = "", **more: Any) -> S:
+        """The state in which a player shoots after the break.
+
+        With the cue ball in hand behind the head string and every ball on behind it too, the one nearest to
+        the line may be had spotted (1.6).
+        """
+        on, line = self.on(state, layout, who), self.table.furniture.head_string
+        behind = where == KITCHEN and line is not None and all(layout[ball].x < line for ball in on)
+        options = ("spot",) if behind and on else ()
+        asked = {"on": on, "call": self.call, "may": self.may, "options": options, **more}
+        return self.to_play(state, layout, who, where, **asked)
+
+    def picked(self, state: S, layout: Layout, key: str) -> Ruling:
+        who = state.ask.who
+        if key == "re-rack":
+            return self.broken_by(who, state)
+        if key == "opponent-breaks":
+            return self.broken_by(self.other(who), state)
+        if key == "spot":
+            nearest = max(state.ask.on, key=lambda ball: (layout[ball].x, ball))
+            layout, spotted = spot_balls(self.table, layout, (nearest,))
+            return self.ruled(self.next(state, layout, who, state.ask.where), layout, spotted=spotted)
+        player = self.other(who) if key == "pass" else who
+        return self.ruled(self.next(state, layout, player, KITCHEN if key == "kitchen" else ""), layout)
+
+    def counted(self, state: S, who: int, foul: bool) -> S:
+        """The state with a player's fouls in a row counted: a legal shot ends the row (3.13)."""
+        return replace(state, fouls=changed(state.fouls, who, state.fouls[who] + 1 if foul else 0))
+
+    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+        """Where a ball has to be called, only that one, but for the break; none where the balls may be racked again."""
+        found = super().pots(who, report, ruling)
+        again = not ruling.state.shots or "re-rack" in ruling.ask.options
+        if again or not self.call or ruling.state.shots == 1:
+            return () if again else found
+        return tuple(ball for ball in found if ball == report.called())
+
+    def second(self, state: S, who: int) -> tuple[Note, ...]:
+        """3.13: who has made two fouls in a row is told, where a third is punished."""
+        told = state.fouls[who] == 2 and getattr(self.options, "three_foul", "no") == "yes"
+        return (Note("second-foul", who),) if told else ()
+
+
+def driven(report: Report) -> int:
+    """How many object balls were driven to a rail; falling or leaving counts (2.7)."""
+    return sum(ball != report.cue for ball in report.driven)
+
+
+def gone(layout: Layout, ball: str) -> bool:
+    return layout[ball].phase == POCKETED
+
+
+def changed(values: tuple[T, ...], player: int, value: T) -> tuple[T, ...]:
+    """What each player has, with one player's replaced."""
+    return tuple(value if i == player else other for i, other in enumerate(values))
+
+
+def points(who: int, count: int) -> tuple[int, ...]:
+    """A change of the score for one of two players."""
+    return tuple(count if player == who else 0 for player in (0, 1))
+
+
+def added(state: S, change: tuple[int, ...]) -> S:
+    """The state with points added to its scores."""
+    return replace(state, scores=tuple(score + more for score, more in zip(state.scores, change, strict=True)))
+
+
+def told(change: tuple[int, ...]) -> tuple[Note, ...]:
+    """A change of the score in words."""
+    notes = (
+        Note("score" if count > 0 else "loses", player, points=abs(count))
+        for player, count in enumerate(change)
+        if count
+    )
+    return tuple(notes)

@@ -1,0 +1,153 @@
+"""What a referee sees of a shot, and nothing else: the rules judge by this. `witness.read` makes it of a rollout."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from ...physics.values import Layout
+
+# Balls and cushions no further apart than this touch, as far as a referee can tell, m.
+FROZEN = 2e-5
+BALL, RAIL, POCKET, OFF = "ball", "rail", "pocket", "off"
+
+
+class Contact(NamedTuple):
+    """A ball met something: another ball, a rail (cushion or jaw), a pocket it fell into; or it left the table.
+
+    `other` is the other ball's id, or the name of the cushion or pocket. The struck ball is `ball` in
+    its contacts. A ball that is pressed against a rail it already lay on, or has not left, meets nothing.
+    """
+
+    kind: str
+    ball: str
+    other: str = ""
+
+
+class Pot(NamedTuple):
+    """A ball and the pocket it fell into."""
+
+    ball: str
+    pocket: str
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """What the shooter said before the shot: the ball and pocket meant, or a safety, or a push out."""
+
+    ball: str = ""
+    pocket: str = ""
+    safety: bool = False
+    push: bool = False
+
+    def as_dict(self) -> dict[str, Any]:
+        return {"ball": self.ball, "pocket": self.pocket, "safety": self.safety, "push": self.push}
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """One shot as a referee saw it.
+
+    `contacts` in their order. `first` are the balls that the cue ball met first: more than one where it met
+    them at the same moment. `touching` are the balls that touched the cue ball before the shot, and
+    `pressed` those of them that the shot pushed at. `frozen` pairs balls with the cushions they lay on.
+    `stroke` names what was wrong with the stroke itself: "double-hit", "push", "miscue".
+    `kitchen`: the cue ball met its first ball behind the head string without having crossed it; `stayed`: it
+    neither crossed the head string nor met a ball beyond it. `crossed` are the balls that went over the
+    head string, `passed` those that went over the middle of the table's length, either way, and `cleared` those whose
+    whole width came over it. `astray`: the cue
+    ball went over the long string, the line that halves the table along its length. `jammed` are the
+    cushions that the cue ball lay on and was shot into. On a table without pockets `strayed` are the balls that
+    stood in a corner (`corner_of`) and left it, if only for a while. `start` is the layout before the shot.
+    """
+
+    contacts: tuple[Contact, ...] = ()
+    call: Call = field(default_factory=Call)
+    cue: str = "cue"
+    first: tuple[str, ...] = ()
+    touching: tuple[str, ...] = ()
+    pressed: tuple[str, ...] = ()
+    frozen: tuple[tuple[str, str], ...] = ()
+    stroke: tuple[str, ...] = ()
+    kitchen: bool = False
+    stayed: bool = False
+    crossed: tuple[str, ...] = ()
+    passed: tuple[str, ...] = ()
+    cleared: tuple[str, ...] = ()
+    astray: bool = False
+    jammed: tuple[str, ...] = ()
+    strayed: tuple[str, ...] = ()
+    start: Layout = field(default_factory=Layout)
+
+    @property
+    def pots(self) -> tuple[Pot, ...]:
+        """The object balls that fell, in their order, and where."""
+        return tuple(Pot(c.ball, c.other) for c in self.contacts if c.kind == POCKET and c.ball != self.cue)
+
+    @property
+    def potted(self) -> tuple[str, ...]:
+        """The object balls that fell, in their order."""
+        return tuple(pot.ball for pot in self.pots)
+
+    @property
+    def fallen(self) -> tuple[str, ...]:
+        """Every ball that fell, the struck one too, in their order."""
+        return tuple(c.ball for c in self.contacts if c.kind == POCKET)
+
+    @property
+    def off(self) -> tuple[str, ...]:
+        """The object balls that left the table."""
+        return tuple(c.ball for c in self.contacts if c.kind == OFF and c.ball != self.cue)
+
+    @property
+    def scratch(self) -> bool:
+        """Whether the cue ball fell into a pocket."""
+        return any(c.kind == POCKET and c.ball == self.cue for c in self.contacts)
+
+    @property
+    def cue_off(self) -> bool:
+        """Whether the cue ball left the table."""
+        return any(c.kind == OFF and c.ball == self.cue for c in self.contacts)
+
+    @property
+    def cue_gone(self) -> bool:
+        return self.scratch or self.cue_off
+
+    @property
+    def after(self) -> tuple[Contact, ...]:
+        """What came after the cue ball's first meeting with a ball; nothing where it met none."""
+        for i, contact in enumerate(self.contacts):
+            if contact.kind == BALL and contact.ball == self.cue:
+                return self.contacts[i + 1 :]
+        return ()
+
+    @property
+    def driven(self) -> tuple[str, ...]:
+        """The balls driven to a rail after the first meeting, each once; falling or leaving counts too."""
+        return tuple(dict.fromkeys(c.ball for c in self.after if c.kind != BALL))
+
+    def called(self) -> str:
+        """The ball that fell as it was called; where no pocket was, as was obvious; "" for none."""
+        call = self.call
+        if call.safety or call.push:
+            return ""
+        if call.pocket:
+            return call.ball if Pot(call.ball, call.pocket) in self.pots else ""
+        return next((pot.ball for pot in self.pots if self.obvious(pot) and call.ball in ("", pot.ball)), "")
+
+    def obvious(self, pot: Pot) -> bool:
+        """Whether a ball was met first and fell straight: no other ball, and no rail but the pocket's jaws."""
+        before = [c.kind for c in self.contacts[: len(self.contacts) - len(self.after)] if self.cue == c.ball]
+        own = [c for c in self.of(pot.ball) if c.other != f"{pot.pocket} jaw"]
+        straight = [Contact(BALL, pot.ball, self.cue), Contact(POCKET, pot.ball, pot.pocket)]
+        return before == [BALL] and own == straight
+
+    def of(self, ball: str) -> tuple[Contact, ...]:
+        """The contacts of one ball, those with another ball told from its side."""
+        mine = []
+        for contact in self.contacts:
+            if contact.ball == ball:
+                mine.append(contact)
+            elif contact.kind == BALL and contact.other == ball:
+                mine.append(Contact(BALL, ball, contact.ball))
+        return tuple(mine)

@@ -1,0 +1,1 @@
+"""From a preset to a table with balls on it; the only part that knows pymunk."""

@@ -1,0 +1,167 @@
+"""Scenario files: a table, balls and perhaps a shot, as TOML or JSON, or as one line of text (see `position`)."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..config.reader import read_json, read_toml
+from ..errors import InputError, suggest
+from ..physics.rollout import Rollout
+from ..physics.simulate import simulate
+from ..physics.values import MOTION_FIELDS, SHOT_RANGES, Ball, Layout, Shot
+from .placing import MOST_BALLS, RANGES, check_id
+from .position_text import Position
+from .position_text import read as read_position
+from .preset import load_table, read_preset
+from .table import Table
+
+_KEYS = ("table", "conditions", "set", "position", "balls", "shot")
+_BALL_KEYS = ("id", *MOTION_FIELDS, "radius", "mass")
+_SHOT_KEYS = tuple(Shot.__dataclass_fields__)
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """A table, the balls on it and a shot, if any."""
+
+    table: Table
+    layout: Layout
+    shot: Shot | None
+
+    def simulate(self, events: int | None = None) -> Rollout:
+        """Play it; see `pool2d.simulate`."""
+        return simulate(self.table, self.layout, self.shot, events=events)
+
+
+def load_scenario(
+    path: str | Path, overrides: Mapping[str, Any] | None = None, conditions: Sequence[str] = ()
+) -> Scenario:
+    """Read a scenario file; `overrides` sets dotted knobs, and `conditions` come, on top of the file's own.
+
+    Raises InputError naming the file, the key, the value and what is allowed.
+    """
+    source = str(path)
+    data = _read(Path(path))
+    try:
+        return _scenario(data, source, overrides or {}, conditions)
+    except InputError as error:
+        # A table named in the file is a file of its own, and speaks for itself.
+        raise error if error.source.endswith(".toml") and error.source != source else error.at(source) from None
+
+
+def scenario_of(
+    position: Position, overrides: Mapping[str, Any] | None = None, conditions: Sequence[str] = ()
+) -> Scenario:
+    """The scenario that a position tells, on the table it names, else pool-9ft; raises InputError.
+
+    `overrides` and `conditions` come on top of the position's own.
+    """
+    table = load_table(
+        position.table or "pool-9ft",
+        {**position.set, **(overrides or {})},
+        (*position.conditions, *conditions),
+    )
+    layout = table.settle(position.layout)
+    return Scenario(table, layout, _on(position.shot, layout, "position"))
+
+
+def _read(path: Path) -> dict[str, Any]:
+    if path.suffix == ".toml":
+        return read_toml(path)
+    if path.suffix != ".json":
+        raise InputError(str(path), "", None, "a scenario's name ends in .toml or .json")
+    data = read_json(path)
+    if not isinstance(data, dict):
+        raise InputError(str(path), "", None, "allowed is a JSON object with " + ", ".join(_KEYS))
+    return data
+
+
+def _scenario(
+    data: Mapping[str, Any], source: str, overrides: Mapping[str, Any], conditions: Sequence[str]
+) -> Scenario:
+    _known(data, _KEYS, source, "")
+    text = data.get("position")
+    if text is not None and not isinstance(text, str):
+        raise InputError(source, "position", text, "allowed is a text such as 'pool-9ft cue@0.6,0.3 1@1.9,0.6'")
+    position = Position() if text is None else read_position(text, source)
+    name = data.get("table", position.table or "pool-9ft")
+    if not isinstance(name, str):
+        raise InputError(source, "table", name, "allowed is a preset's name or a path to a .toml file")
+    if name.endswith(".toml") and not Path(name).is_absolute():
+        beside = Path(source).parent / name
+        name = str(beside) if os.path.isfile(beside) else name  # unlike Path.is_file, False for any odd name
+    if position.table not in ("", name):
+        # It is overruled, but has to be one.
+        read_preset(position.table)
+    own = data.get("set", {})
+    if not isinstance(own, dict):
+        raise InputError(source, "set", own, "allowed is a section of dotted knob names and values")
+    given = data.get("conditions", [])
+    if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
+        raise InputError(source, "conditions", given, "allowed is a list of names")
+    table = load_table(name, {**position.set, **own, **overrides}, (*position.conditions, *given, *conditions))
+    if not any(key in data for key in ("table", "position", "balls")):
+        raise InputError(source, "", None, "an empty scenario; needed are balls, or a position")
+    entries = data.get("balls", [])
+    if not isinstance(entries, list) or (not entries and "balls" in data and not position.layout):
+        raise InputError(source, "balls", entries, "allowed is a list of balls, one or more")
+    if len(entries) > MOST_BALLS:
+        raise InputError(source, "balls", len(entries), f"allowed are up to {MOST_BALLS} balls")
+    balls = dict(position.layout)
+    for number, entry in enumerate(entries):
+        ball = _ball(entry, source, f"balls[{number}]")
+        if ball.id in balls:
+            raise InputError(source, f"balls[{number}].id", ball.id, "another ball has this id")
+        balls[ball.id] = ball
+    layout = table.settle(Layout(balls.values()))
+    if "shot" in data:
+        return Scenario(table, layout, _shot(data["shot"], layout, source))
+    return Scenario(table, layout, _on(position.shot, layout, source))
+
+
+def _ball(entry: Any, source: str, key: str) -> Ball:
+    if not isinstance(entry, dict):
+        raise InputError(source, key, entry, "allowed is a ball: " + ", ".join(_BALL_KEYS))
+    _known(entry, _BALL_KEYS, source, key + ".")
+    name = check_id(entry.get("id"), source, f"{key}.id")
+    for needed in ("x", "y"):
+        if needed not in entry:
+            raise InputError(source, f"{key}.{needed}", None, f"missing; needed is {RANGES[needed].allowed()}")
+    numbers = {
+        field: RANGES[field].check(value, source, f"{key}.{field}") for field, value in entry.items() if field != "id"
+    }
+    return Ball(name, **numbers)  # type: ignore[arg-type]
+
+
+def _shot(entry: Any, layout: Layout, source: str) -> Shot:
+    if not isinstance(entry, dict):
+        raise InputError(source, "shot", entry, "allowed is a section with " + ", ".join(_SHOT_KEYS))
+    _known(entry, _SHOT_KEYS, source, "shot.")
+    for key, value in entry.items():
+        right = isinstance(value, str) if key == "ball" else type(value) in (int, float)
+        if not right:
+            raise InputError(source, f"shot.{key}", value, f"allowed is a {'ball' if key == 'ball' else 'number'}")
+    if "speed" not in entry:
+        low, high, unit = SHOT_RANGES["speed"]
+        raise InputError(source, "shot.speed", None, f"missing; needed is a number from {low:g} to {high:g}{unit}")
+    shot = Shot(**entry)
+    shot.check(source)
+    _on(shot, layout, source)
+    return shot
+
+
+def _on(shot: Shot | None, layout: Layout, source: str) -> Shot | None:
+    """The shot; raises InputError where its ball is not there."""
+    if shot is not None and shot.ball not in layout:
+        raise InputError(source, "shot.ball", shot.ball, suggest(shot.ball, layout))
+    return shot
+
+
+def _known(data: Mapping[str, Any], keys: tuple[str, ...], source: str, prefix: str) -> None:
+    for key in data:
+        if key not in keys:
+            raise InputError(source, prefix + key, data[key], suggest(key, keys))

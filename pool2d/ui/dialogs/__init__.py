@@ -1,0 +1,1 @@
+"""Pages and questions over another scene."""

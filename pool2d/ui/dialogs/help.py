@@ -1,0 +1,104 @@
+"""The page that lists what keys and hands do."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import pygame
+
+from ...draw import shapes, text, theme
+from ..scene import Scene
+from ..screen import Screen
+from ..wording.keys import HANDS, HELD, KEYS, rows
+from ..wording.words import say
+from .dialog import ground
+
+Line = tuple[str, str]
+
+
+class Help:
+    """A page over another scene; any key or click goes back to it."""
+
+    def __init__(self, below: Scene) -> None:
+        self.below = below
+
+    @property
+    def still(self) -> bool:
+        return True
+
+    def handle(self, event: pygame.event.Event) -> Scene | None:
+        return self.below if event.type in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN) else self
+
+    def update(self, dt: float) -> Scene | None:
+        return self
+
+    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
+        ground(self.below).draw(surface)
+        screen = Screen(*surface.get_size())
+        page = _laid([*hands(), ("", ""), *keys()], screen)
+        unit = screen.unit
+        box = pygame.Rect(0, 0, page.width, page.height)
+        box.center = surface.get_rect().center
+        shapes.veil(surface)
+        shapes.panel(surface, box, unit)
+        x, top = box.left + 3 * unit, box.top + 2 * unit
+        text.draw(surface, say("help.title"), screen.large, theme.TEXT, (x, top))
+        top += 2 * screen.large + unit
+        for column in page.columns:
+            left, right = _widths(column, page.size)
+            for i, (name, does) in enumerate(column):
+                text.draw(surface, name, page.size, theme.ACCENT, (x, top + i * page.pitch))
+                text.draw(surface, does, page.size, theme.TEXT, (x + left + 2 * unit, top + i * page.pitch))
+            x += left + right + 5 * unit
+
+
+def hands() -> list[Line]:
+    """What hands do: the grip and what it leads to."""
+    return [(say(f"hand.{name}.name"), say(f"hand.{name}.does")) for name in HANDS]
+
+
+def keys() -> list[Line]:
+    """What keys do at present: the keys and what they lead to."""
+    lines = []
+    for actions in rows():
+        shown = KEYS.shown(*actions)
+        name = say("help.hold", keys=shown) if actions[0] in HELD else shown
+        lines.append((name, say(f"help.{actions[0]}")))
+    return lines
+
+
+class _Page(NamedTuple):
+    """The lines in columns, the size of the letters, from line to line, and what the page takes, in pixels."""
+
+    columns: list[list[Line]]
+    size: int
+    pitch: int
+    width: int
+    height: int
+
+
+def _laid(lines: list[Line], screen: Screen) -> _Page:
+    """The lines in as many columns as let the letters be largest."""
+    page = None
+    for size in range(screen.small, 0, -1):
+        for count in (1, 2, 3):
+            page = _in_columns(lines, count, size, screen)
+            if page.width <= screen.width and page.height <= screen.height:
+                return page
+    assert page is not None
+    return page
+
+
+def _in_columns(lines: list[Line], count: int, size: int, screen: Screen) -> _Page:
+    unit, pitch = screen.unit, text.font(size).get_linesize()
+    most = math.ceil(len(lines) / count)
+    columns = [lines[i : i + most] for i in range(0, len(lines), most)]
+    width = sum(sum(_widths(column, size)) + 5 * unit for column in columns) + 3 * unit
+    return _Page(columns, size, pitch, width, pitch * most + 2 * screen.large + 5 * unit)
+
+
+def _widths(lines: list[Line], size: int) -> tuple[int, int]:
+    """How wide the names and what they do are."""
+    left, right = (max(text.font(size).size(line[i])[0] for line in lines) for i in (0, 1))
+    return left, right

@@ -1,0 +1,52 @@
+"""A shelf: lines to open something from, below each other; some of it can be thrown away."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ...draw import theme
+from ...errors import InputError
+from ..scene import Scene
+from ..widgets.widget import Button, Gap, Heading, Widget
+from ..wording.words import say
+from .dialog import Dialog
+
+
+class Shelf(Dialog):
+    """A heading, perhaps with a text below it, and the lines of `entries`; what goes wrong is told above them."""
+
+    width = 76
+
+    def __init__(self, below: Scene, heading: Callable[[], str], intro: Callable[[], str] = str) -> None:
+        super().__init__(below, "", [])
+        self.heading = heading
+        self.intro = intro
+        self.wrong = ""
+        self._lay_out()
+
+    def entries(self) -> Sequence[Widget]:
+        """The lines; asked for anew whenever one of them has done something."""
+        raise NotImplementedError
+
+    def telling(self, do: Callable[[], str | None]) -> Callable[[], None]:
+        """`do` for a line; what is wrong, which it returns or raises as InputError, is told."""
+
+        def done() -> None:
+            try:
+                self.wrong = do() or ""
+            except InputError as error:
+                self.wrong = str(error)
+            if not self.done:
+                self._lay_out()
+
+        return done
+
+    def _lay_out(self) -> None:
+        rows: list[Widget] = [Heading(self.heading, theme.TEXT, large=True)]
+        rows += [Heading(self.intro)] if self.intro() else [Gap(0.3)]
+        rows += [Heading(lambda: self.wrong, theme.WARNING, lines=3)] if self.wrong else []
+        rows += [*self.entries(), Button(say("form.close"), self._close)]
+        self.form.set_rows([[row] for row in rows])
+
+    def _close(self) -> None:
+        self.done = True

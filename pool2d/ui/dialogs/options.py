@@ -1,0 +1,206 @@
+"""The options: every setting, with its effect at once, and the keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import pygame
+
+from ...config.knobs import Knob, walk
+from ...config.settings import Store
+from ...draw import text, theme
+from ...draw.effects import style_of
+from ..scene import Scene
+from ..widgets.ball_row import Samples
+from ..widgets.inputs import Choice, Slider
+from ..widgets.widget import Button, Gap, Heading, Tabs, Toggle, Widget, face, plate, tone
+from ..wording import words
+from ..wording.keys import DEFAULTS, FIXED, KEYS, chord_of, may_be_bound, shown
+from ..wording.words import say
+from .dialog import Dialog
+
+KEYS_PAGE = "keys"
+PAGES = ("aiming", "balls", "sound", "screen", KEYS_PAGE)
+# The names that the ball art knows.
+PALETTES = tuple(theme.PALETTES)
+# Settings that are texts, and what is offered for them.
+OFFERED: dict[str, Callable[[], Sequence[str]]] = {
+    "balls.palette": lambda: PALETTES,
+    "screen.language": lambda: (words.AUTO, *words.languages()),
+}
+# Settings that hands change elsewhere, by dragging the window's edge.
+_ELSEWHERE = ("screen.width", "screen.height")
+# So tall, in rows, is every page but the keys', lest the panel jump from one to the next.
+_TALL = 5.4
+
+
+class Options(Dialog):
+    """A page of options over another scene; Esc or its button goes back. `store` is what is turned."""
+
+    width = 68
+
+    def __init__(self, below: Scene, store: Store) -> None:
+        super().__init__(below, "", [])
+        self.store = store
+        self.page = PAGES[0]
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        page = self._page()
+        self.form.set_rows(
+            [
+                [Heading(lambda: say("options.title"), theme.TEXT, large=True)],
+                [Gap(0.15)],
+                [Tabs(PAGES, lambda: self.page, self._open, lambda page: say(f"options.page.{page}"))],
+                [Gap(0.4)],
+                *([widget] for widget in page),
+                [Gap(max(0.4, _TALL - sum(widget.rows for widget in page)))],
+                [Heading(lambda: say("options.saved"))],
+                [
+                    Button(say("options.reset"), self._reset, say("options.reset_hint")),
+                    Button(say("form.close"), self._close, strong=True),
+                ],
+            ]
+        )
+
+    def _page(self) -> list[Widget]:
+        if self.page == KEYS_PAGE:
+            rows = [KeyRow(action, self._keys_changed) for action in DEFAULTS if action not in FIXED]
+            return [Heading(lambda: say("options.keys.intro"), lines=2), *rows]
+        samples = [Samples(lambda: style_of(self.store.values))] if self.page == "balls" else []
+        return [*samples, *(self._widget(name, knob) for name, knob in self._settings())]
+
+    def _settings(self) -> list[tuple[str, Knob]]:
+        """The settings on the open page."""
+        found = [(name, knob) for name, knob, _ in walk(self.store.values) if name.startswith(self.page + ".")]
+        return [(name, knob) for name, knob in found if name not in _ELSEWHERE]
+
+    def _widget(self, name: str, knob: Knob) -> Widget:
+        label, hint = say(f"setting.{name}"), say(f"setting.{name}_hint")
+
+        def get() -> float | str:
+            return next(value for other, _, value in walk(self.store.values) if other == name)
+
+        def put(value: object) -> None:
+            self.store.turn(name, value)
+            if name == "screen.language":
+                self._lay_out()
+
+        if isinstance(knob.default, bool):
+            return Toggle(label, lambda: bool(get()), put, hint)
+        if isinstance(knob.default, str):
+            options = OFFERED.get(name, lambda: knob.choices)
+            return Choice(label, options, lambda: str(get()), put, hint, _told(name))
+        return Slider(label, knob, lambda: float(get()), put, lambda: put(knob.default), hint)
+
+    def _open(self, page: str) -> None:
+        self.page = page
+        self.form.scroll = 0
+        self._lay_out()
+
+    def _keys_changed(self) -> None:
+        self.store.bind(KEYS.names())
+
+    def _reset(self) -> None:
+        if self.page == KEYS_PAGE:
+            KEYS.reset()
+            self._keys_changed()
+        for name, knob in self._settings():
+            self.store.turn(name, knob.default)
+        self._lay_out()
+
+    def _close(self) -> None:
+        self.done = True
+
+
+class KeyRow(Widget):
+    """An action and its keys. Press it, or Enter on it, and then the new key; Delete sets the keys back.
+
+    A key that another action has is told first, and taken from there when it is pressed again. While it waits
+    for the new key it is greedy.
+    """
+
+    rows = 1.1
+
+    def __init__(self, action: str, changed: Callable[[], None]) -> None:
+        super().__init__()
+        self.action = action
+        self.changed = changed
+        self.hint = say("options.keys.hint", keys=shown(*KEYS.defaults[action]))
+        self.told = ""
+        self._wanted = 0
+
+    def release(self, pos: tuple[int, int]) -> None:
+        if self.rect.collidepoint(pos):
+            self._listen(not self.greedy)
+
+    def leave(self) -> None:
+        self._listen(False)
+
+    def key(self, key: int, mod: int) -> bool:
+        if self.greedy:
+            self._take(key, mod)
+            return True
+        if key in (pygame.K_DELETE, pygame.K_BACKSPACE):
+            KEYS.reset(self.action)
+            self.changed()
+        elif key in (pygame.K_RETURN, pygame.K_SPACE):
+            self._listen(True)
+        else:
+            return False
+        return True
+
+    def _listen(self, on: bool) -> None:
+        self.greedy, self._wanted = on, 0
+        self.told = say("options.keys.press") if on else ""
+
+    def _take(self, key: int, mod: int) -> None:
+        chord = chord_of(key, mod)
+        owner = KEYS.owner(chord)
+        if key == pygame.K_ESCAPE:
+            self._listen(False)
+        elif not may_be_bound(chord):
+            if key not in _MODIFIERS:
+                self.told = say("options.keys.fixed", key=shown(chord))
+        elif owner not in (None, self.action) and chord != self._wanted:
+            self._wanted = chord
+            self.told = say("options.keys.taken", key=shown(chord), action=say(f"action.{owner}"))
+        else:
+            KEYS.bind(self.action, chord)
+            self._listen(False)
+            self.changed()
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        size = unit * 7 // 4
+        color = theme.ACCENT if focused or self.greedy else theme.TEXT
+        name = say(f"action.{self.action}")
+        box = self.rect.inflate(0, -unit // 2)
+        if not self.told:
+            label = text.fitted(name, size, self.rect.width * 2 // 5 - unit)
+            text.draw(surface, label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
+            box.width = self.rect.width * 3 // 5
+        box.right = self.rect.right
+        edge = theme.ACCENT if self.greedy else tone(hovered)
+        plate(surface, box, face(self.pressed or self.greedy, hovered), unit, edge)
+        # What is told while the row waits for a key takes all of it.
+        said = f"{name}: {self.told}" if self.told else KEYS.shown(self.action)
+        tint = theme.ACCENT if self.told else theme.TEXT
+        text.draw(surface, text.fitted(said, size, box.width - 2 * unit), size, tint, box.center, (0.5, 0.5))
+
+
+_MODIFIERS = (
+    pygame.K_LSHIFT, pygame.K_RSHIFT, pygame.K_LCTRL, pygame.K_RCTRL, pygame.K_LALT, pygame.K_RALT, pygame.K_LGUI,
+    pygame.K_RGUI,
+)  # fmt: skip
+
+
+def _told(name: str) -> Callable[[str], str]:
+    """How the values of a setting are told."""
+    if name == "screen.language":
+        return _language
+    return lambda value: words.say_or(f"choice.{value}", value)
+
+
+def _language(code: str) -> str:
+    """A language's name, in itself."""
+    return say("language.auto") if code == words.AUTO else words.catalogue(code).texts.get("language.name", code)

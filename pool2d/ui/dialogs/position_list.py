@@ -1,0 +1,64 @@
+"""Positions that the player keeps: asking for a name, and the list to open one from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from ...errors import InputError
+from ...game import saved_positions
+from ..scene import Scene
+from ..widgets.list_row import Entry
+from ..widgets.widget import Widget
+from ..wording.words import say
+from .dialog import Ask
+from .list_page import Shelf
+
+
+def ask_for_name(below: Scene, keep: Callable[[str], None]) -> Ask:
+    """A question for the position's name; `keep` gets it, and may raise InputError.
+
+    A name that is taken already is asked for twice before what it names is replaced.
+    """
+    warned = ""
+
+    def take(name: str) -> str:
+        nonlocal warned
+        if name in saved_positions.positions() and name != warned:
+            warned = name
+            return say("shelf.replace", name=name)
+        try:
+            keep(name)
+        except InputError as error:
+            return error.allowed
+        return ""
+
+    kept = saved_positions.positions()
+    word = say("shelf.position")
+    number = next(number for number in range(1, len(kept) + 2) if f"{word} {number}" not in kept)
+    return Ask(below, say("shelf.save"), say("saving.name"), f"{word} {number}", take)
+
+
+class PositionShelf(Shelf):
+    """The positions kept; `take` gets the name of the one chosen, and returns what is wrong with it, or raises it."""
+
+    def __init__(self, below: Scene, take: Callable[[str], str]) -> None:
+        self.take = take
+        super().__init__(
+            below, lambda: say("shelf.open"), lambda: "" if saved_positions.positions() else say("shelf.empty")
+        )
+
+    def entries(self) -> Sequence[Widget]:
+        return [
+            Entry(
+                name,
+                self.telling(partial(self._open, name)),
+                remove=self.telling(partial(saved_positions.remove, name)),
+            )
+            for name in saved_positions.positions()
+        ]
+
+    def _open(self, name: str) -> str:
+        wrong = self.take(name)
+        self.done = not wrong
+        return wrong

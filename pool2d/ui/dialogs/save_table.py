@@ -1,0 +1,27 @@
+"""Saving the table that is played on as a preset of one's own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from ...errors import InputError
+from ...table.preset import differences, save_preset
+from ...table.table import Table
+from ..scene import Scene
+from ..wording.words import say
+from .dialog import Ask
+
+
+def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> Ask:
+    """A question for the preset's name; `saved` is told where it was written."""
+
+    def save(name: str) -> str:
+        try:
+            path = save_preset(name, table.source, differences(table), name)
+        except InputError as error:
+            return error.allowed
+        saved(path)
+        return ""
+
+    return Ask(below, say("saving.title"), say("saving.name"), f"{say('saving.my')}-{Path(table.source).stem}", save)

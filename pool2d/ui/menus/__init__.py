@@ -1,0 +1,1 @@
+"""What lies around the table: menus, the ends of frames and matches, and the lists to choose from."""

@@ -1,0 +1,43 @@
+"""The shelf of drills."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from ...draw import theme
+from ...errors import InputError
+from ...game.drills.drill import Drill
+from ...game.drills.drill_file import best, drills, load
+from ..dialogs.list_page import Shelf
+from ..play.drill_scene import DrillPlay, task, title
+from ..play.play import Play
+from ..scene import Scene
+from ..widgets.list_row import Entry
+from ..widgets.widget import Heading, Widget
+from ..wording.words import say
+
+
+class DrillShelf(Shelf):
+    """Every drill with its goal and the best result; it is played on a table that looks and sounds as `play` does."""
+
+    def __init__(self, below: Scene, play: Play) -> None:
+        self.play = play
+        super().__init__(below, lambda: say("drill.title"), lambda: say("drill.intro"))
+
+    def entries(self) -> Sequence[Widget]:
+        return [self._entry(name) for name in drills()]
+
+    def _entry(self, name: str) -> Widget:
+        try:
+            drill = load(name)
+        except InputError as error:
+            told = str(error)
+            return Heading(lambda: told, theme.WARNING, lines=2)
+        record = best(drill.id)
+        note = "" if record is None else say("drill.best", best=record, most=drill.most)
+        return Entry(title(drill), partial(self._open, drill), note, task(drill))
+
+    def _open(self, drill: Drill) -> None:
+        home = self.below.home if isinstance(self.below, DrillPlay) else self.below
+        self.go(DrillPlay(drill, home, self.play))

@@ -1,0 +1,1 @@
+"""Playing: the state, the hands that change it, and its view."""

@@ -1,0 +1,80 @@
+"""A ball in the player's hand: the cue ball that the rules give, or any that was picked up; and putting it down."""
+
+from __future__ import annotations
+
+from ...game.rules.spotting import KITCHEN, D, within
+from ...game.session import Session
+from ...physics.values import Ball
+from ..wording.words import say
+
+Point = tuple[float, float]
+
+
+class InHand:
+    """`ball` is one that was picked up, or ""; `at` is where the ball is held, m; None before a hand has moved it."""
+
+    def __init__(self) -> None:
+        self.ball = ""
+        self.at: Point | None = None
+
+    def take(self, ball: str, at: Point | None = None) -> None:
+        """Pick a ball up, from where it lies or straight to a place."""
+        self.ball, self.at = ball, at
+
+    def let_go(self) -> None:
+        """Forget what was done: a ball that was picked up is where it was."""
+        self.ball, self.at = "", None
+
+    def held(self, session: Session) -> Ball | None:
+        """The ball in hand, as it would stand where it is held; None where no ball is."""
+        if not self.ball and not session.in_hand:
+            return None
+        x, y = self.where(session)
+        ball = session.layout.get(self.ball or session.cue.id) or Ball(self.ball, x, y)
+        return ball.still()._replace(x=x, y=y)
+
+    def where(self, session: Session) -> Point:
+        """Where the ball is held: at first where it lies, or on the table's head spot."""
+        lies = session.layout.get(self.ball) if self.ball else None
+        return self.at or ((lies.x, lies.y) if lies is not None else session.table.furniture.spots["head"])
+
+    def nudge(self, session: Session, dx: float, dy: float) -> None:
+        """Move it by so much."""
+        x, y = self.where(session)
+        self.at = (x + dx, y + dy)
+
+    def may_stand(self, session: Session) -> bool:
+        """Whether it may be put down where it is held."""
+        ball = self.held(session)
+        if ball is None:
+            return False
+        if self._given(session):
+            return session.may_place(ball.x, ball.y)
+        radius = session.table.body_of(ball)[0]
+        return session.table.has_room(ball.x, ball.y, radius, session.layout, ignore=ball.id)
+
+    def refused(self, session: Session) -> str:
+        """Why it may not stand where it is held."""
+        ball, where = self.held(session), session.ask.where
+        if ball is None or not self._given(session) or within(session.table, where, ball.x, ball.y):
+            return say("play.no_room")
+        return {KITCHEN: say("play.only_kitchen"), D: say("play.only_d")}.get(where, say("play.no_room"))
+
+    def place(self, session: Session) -> bool:
+        """Put it down; False, and it is still held, where it may not stand. Unmoved it just stays where it lies."""
+        if self.ball in session.layout and self.at is None:
+            self.let_go()
+            return True
+        ball = self.held(session)
+        if ball is None or not self.may_stand(session):
+            return False
+        if self._given(session):
+            session.place(ball.x, ball.y)
+        else:
+            session.arrange(session.layout.put(ball))
+        self.let_go()
+        return True
+
+    def _given(self, session: Session) -> bool:
+        """Whether the rules have given the ball, and so say where it may stand."""
+        return not self.ball or not session.free

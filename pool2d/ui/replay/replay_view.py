@@ -1,0 +1,164 @@
+"""What a recorded match looks like on the window: the shot, whose it is, how the match stands, what came of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pygame
+
+from ...draw import pen, shapes, text, theme, vectors
+from ...draw.debug import ScreenPen, draw_geometry
+from ...draw.effects import effects_of
+from ...game.actions import Stroke
+from ...game.records.recorded_shots import Reel
+from ...game.records.replaying import UNKNOWN, Take
+from ...game.rules.report import Call
+from ..scene import Boxes
+from ..screen import Screen
+from ..stage import scoreboard
+from ..stage.legend import draw_legend
+from ..stage.shot_view import in_motion
+from ..widgets.widget import plate
+from ..wording import ruling_text
+from ..wording.shot_text import ball_name, place_name
+from ..wording.words import say
+
+if TYPE_CHECKING:
+    from .replay_scene import Replay
+
+
+def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> Boxes:
+    """Draw the whole window; `kept`, and what is returned, as for every scene."""
+    screen = Screen(*surface.get_size())
+    take, shown, stage = replay.reel[replay.at], replay.playback, replay.stage
+    filled = stage.begin(surface, take.match.table, kept=kept)
+    over = in_motion(surface, stage, shown, effects_of(replay.store.values))
+    if replay.geometry:
+        draw_geometry(ScreenPen(surface, stage.view), stage.table)
+    if replay.vectors:
+        vectors.draw(surface, shown.rollout.at(shown.time), stage.table, stage.view)
+        if shown.shot is not None and shown.time <= 0.0:
+            vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
+        draw_legend(surface, screen)
+    _upper_bar(surface, screen, replay, take)
+    said = caption(replay)
+    _caption(surface, screen, said)
+    stage.over = None if replay.geometry or replay.vectors or said[0] else over
+    replay.timeline.place(screen, 0)
+    replay.timeline.draw(surface, shown, stage.table)
+    if filled is None or stage.over is None:
+        return None
+    return [*filled, *stage.over, screen.top, screen.bottom]
+
+
+# The upper bar: from shot to shot on the left, the players on the right.
+
+
+def button(action: str, screen: Screen) -> pygame.Rect:
+    """The place of a button: "earlier", "list" between them, and "later"."""
+    unit = screen.unit
+    left, width = {"earlier": (2, 3), "list": (6, 17), "later": (24, 3)}[action]
+    return pygame.Rect(left * unit, unit // 2, width * unit, 3 * unit)
+
+
+def under(pos: tuple[int, int], screen: Screen) -> str:
+    """The action of the button at a place, if any."""
+    return next((action for action in ("earlier", "list", "later") if button(action, screen).collidepoint(pos)), "")
+
+
+def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: Take) -> None:
+    unit, bar = screen.unit, screen.top
+    surface.fill(theme.PANEL[:3], bar)
+    pointed = "" if replay.timeline.hover is None else under(replay.timeline.hover, screen)
+    for action in ("earlier", "list", "later"):
+        box = button(action, screen)
+        lit = action == pointed
+        plate(surface, box, theme.FACE_LIT if lit else theme.FACE, unit, theme.TEXT if lit else None)
+        possible = replay.at > 0 if action == "earlier" else replay.at + 1 < len(replay.reel)
+        if action != "list":
+            _skip(surface, box, -1.0 if action == "earlier" else 1.0, theme.TEXT if possible else theme.EDGE)
+    told = say("replay.shot", number=replay.at + 1, count=len(replay.reel))
+    box = button("list", screen)
+    text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
+    left = button("later", screen).right + 2 * unit
+    title = text.fitted(ruling_text.title(take.match.rules.name), screen.small, screen.tray.left - left)
+    text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
+    replay.stage.tray(surface)
+    # Until a shot has come to its end the score is the one that it was played at.
+    moment = take.moment if replay.playback.ended else take.before
+    scoreboard.draw_beside(surface, screen, take.match, moment, take.moment.shooter)
+
+
+def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.Color) -> None:
+    """The sign of going to another shot."""
+    x, y, r = box.centerx, box.centery, box.height * 0.22
+    for at in (-1.0, 0.1):
+        tip, back = x + side * r * (at + 1.0), x + side * r * at
+        pen.polygon(surface, color, [(back, y - r), (back, y + r), (tip, y)])
+
+
+# What is said over the table's lower edge.
+
+
+def caption(replay: Replay) -> tuple[str, bool]:
+    """What there is to say of the moment shown, and whether something is wrong."""
+    take, shown = replay.reel[replay.at], replay.playback
+    reel = replay.reel
+    if not take.same:
+        return unlike(take), True
+    if shown.ended:
+        said = [say("replay.undone")] if take.line in reel.undone else []
+        said += [say("replay.judged", why=say(f"since.{take.found.why}"))] if take.found is not None else []
+        return " ".join([*said, ruling_text.verdict(take.moment, take.match)]), False
+    if shown.time <= 0.0 and (said_before := called(take)):
+        return said_before, False
+    if reel.fault is not None and replay.at + 1 == len(reel):
+        return str(reel.fault), True
+    if reel.outdated and replay.at == 0:
+        return say(f"since.preset_{reel.outdated}"), False
+    return "", False
+
+
+def unlike(take: Take) -> str:
+    """What is said of a shot that does not roll as it was recorded."""
+    if take.found is None or take.found.why == UNKNOWN:
+        return say("replay.differs")
+    return say("replay.unlike", why=say(f"since.{take.found.why}"))
+
+
+def line(reel: Reel, take: Take) -> str:
+    """A shot in a list: its number, who played it, and what came of it."""
+    notes = ruling_text.verdict(take.moment, take.match)
+    name = take.match.names[take.moment.shooter]
+    back = f" ({say('replay.taken_back')})" if take.line in reel.undone else ""
+    return f"{take.number}   {name}{back}   {notes}".rstrip()
+
+
+def called(take: Take) -> str:
+    """What the player said before the shot; empty where nothing was."""
+    stroke = take.moment.action
+    if not isinstance(stroke, Stroke) or stroke.call == Call():
+        return ""
+    call = stroke.call
+    ball = ball_name(call.ball, stroke.shot.ball) if call.ball else ""
+    pocket = place_name(call.pocket) if call.pocket else ""
+    what = [ball, pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
+    name = take.match.names[take.moment.shooter]
+    return say("replay.calls", player=name, what=", ".join(filter(None, what)))
+
+
+def _caption(surface: pygame.Surface, screen: Screen, said: tuple[str, bool]) -> None:
+    """A line or two over the table's lower edge."""
+    words, wrong = said
+    if not words:
+        return
+    unit, size = screen.unit, screen.small
+    lines = text.wrap(words, size, screen.width * 3 // 4)
+    pitch = text.font(size).get_linesize()
+    width = max(text.font(size).size(line)[0] for line in lines) + 4 * unit
+    box = pygame.Rect(0, 0, width, pitch * len(lines) + unit)
+    box.midbottom = (screen.width // 2, screen.bottom.top - unit // 2)
+    shapes.panel(surface, box, unit)
+    for i, line in enumerate(lines):
+        place = (box.centerx, box.top + unit // 2 + i * pitch)
+        text.draw(surface, line, size, theme.WARNING if wrong else theme.TEXT, place, (0.5, 0.0))

@@ -1,0 +1,27 @@
+"""What the arrows on the balls mean."""
+
+from __future__ import annotations
+
+import pygame
+
+from ...draw import pen, text, theme
+from ...draw.vectors import CUE, ROLL, SIDE, SPEED
+from ..screen import Screen
+from ..wording.words import say
+
+LEGEND = ((SPEED, "speed"), (ROLL, "roll"), (SIDE, "side"), (CUE, "cue"))
+
+
+def draw_legend(surface: pygame.Surface, screen: Screen) -> pygame.Rect:
+    """Say what the colours mean, above the lower bar in the margin on the left; returns its place."""
+    unit, size = screen.unit, screen.small
+    pitch = text.font(size).get_linesize()
+    told = [(color, say(f"vectors.{name}")) for color, name in LEGEND]
+    width = max(text.font(size).size(words)[0] for _, words in told) + 4 * unit
+    plate = pygame.Surface((width, pitch * len(LEGEND) + unit), pygame.SRCALPHA)
+    pygame.draw.rect(plate, theme.PANEL, plate.get_rect(), border_radius=unit * 3 // 4)
+    for i, (color, words) in enumerate(told):
+        y = unit / 2 + (i + 0.5) * pitch
+        pen.line(plate, color, (unit, y), (unit * 5 / 2, y), unit / 4)
+        text.draw(plate, words, size, theme.TEXT, (unit * 13 / 4, y), (0.0, 0.5))
+    return surface.blit(plate, (unit // 2, screen.bottom.top - plate.get_height() - unit))

@@ -1,0 +1,185 @@
+"""The table with what lies on it, on a window of some size; remembers what costs time to draw."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Hashable
+
+import pygame
+
+from ...draw import guide, pen, theme
+from ...draw.balls import ball_art, tray
+from ...draw.tabletop.background import Background
+from ...draw.view import View, fit
+from ...errors import BudgetError, InputError
+from ...game.falling import falling
+from ...game.orientations import Keeper
+from ...physics.orientation import FACING, Quaternion
+from ...physics.rollout import Rollout
+from ...physics.simulate import simulate
+from ...physics.values import RESTING, Ball, Layout, Shot
+from ...table.furniture import Look
+from ...table.table import Table
+from ..scene import Boxes
+from ..screen import Screen
+from . import bars
+from .camera import Camera
+
+# A ball in hand has light round it: discs so many times as wide, each of so much light, of 255.
+_GLOW, _LIGHT = (1.9, 1.65, 1.4, 1.2), 34
+
+
+class Stage:
+    """The surface being drawn on, the table, and where the one is on the other; `style` is how balls are drawn.
+
+    The table's cue ball is not among those that are `down` for good, unless in the game that is played it `cue_counts`.
+    """
+
+    def __init__(self, table: Table) -> None:
+        self.table = table
+        self.style = theme.PLAIN
+        self.cue_counts = False
+        self.keeper = Keeper()
+        self.bars = bars.KeptBars()
+        # Where the last frame has drawn over the table, told by who draws the frame; None where the next one is to be
+        # drawn as a whole.
+        self.over: Boxes = None
+        self._down: list[str] = []
+        self.screen = Screen(1280, 720)
+        self.camera = Camera()
+        self._background = Background()
+        self._fit(0)
+        self._foreseen_key: Hashable = None
+        self._foreseen: Rollout | None = None
+
+    def begin(self, surface: pygame.Surface, table: Table, panel: int = 0, kept: bool = False) -> Boxes:
+        """Take the window's present size, less `panel` pixels on the right, and draw the table.
+
+        `kept` says that the surface still shows the last frame: then only what was drawn over it is filled. Returns
+        the boxes that were.
+        """
+        self.table = table
+        self.screen = Screen(*surface.get_size())
+        self._fit(panel)
+        # The bars are drawn over the rest.
+        surface.set_clip(self.screen.table)
+        over, self.over = self.over if kept else None, None
+        left = self._background.show(surface, table, self.camera.home, self.view, over)
+        surface.set_clip(None)
+        return over if left else None
+
+    @property
+    def view(self) -> View:
+        """Where the table is on the window at this moment."""
+        return self.camera.view
+
+    @property
+    def still(self) -> bool:
+        """Whether the camera rests and the table's picture is drawn in full."""
+        return self.camera.settled and self._background.settled
+
+    def balls(
+        self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf,
+        but: str = "", running: bool = False,
+    ) -> list[pygame.Rect]:  # fmt: skip
+        """Draw every ball on the table as it lies, `but` one, and those on their way into a pocket.
+
+        `rollout` is the shot that has led to the layout, if one has, `t` seconds after its start; without
+        a time it is over. While it is `running`, balls that move are drawn for one frame only, and roughly.
+        Returns the boxes in which it has drawn.
+        """
+        # On its way the camera shows each frame another size of ball, for which no skin is worth making.
+        rough = running and self.camera.settled
+        lies, down = self.keeper.lying(layout, rollout, t)
+        balls = []
+        if rollout is not None:
+            falls = falling(rollout, self.keeper.turning(rollout), self.table.geometry.pockets, t)
+            for fall in falls:
+                ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
+                balls.append(tray.sinking(fall, self._placed(ball, fall.lie)))
+        balls += [
+            self._placed(ball, lies.get(ball.id, FACING), not rough or ball.phase == RESTING)
+            for ball in layout.on_table()
+            if ball.id != but
+        ]
+        self._down = [ball for ball in down if self.cue_counts or ball != self.table.furniture.cue]
+        return ball_art.draw_all(surface, balls, self.style)
+
+    @property
+    def down(self) -> tuple[str, ...]:
+        """The balls that had fallen for good when the table was drawn last, in their order."""
+        return tuple(self._down)
+
+    def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
+        look = self.table.furniture.looks.get(ball.id)
+        centre = self.view.to_screen(ball.x, ball.y)
+        ball_art.draw(surface, ball.id, centre, self._radius(ball), faint, look, style=self.style)
+
+    def tray(self, surface: pygame.Surface) -> None:
+        """Draw the balls that are down."""
+        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in self._down], self.style)
+
+    def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
+        """Draw a ball held over the table, ringed by whether it has room there."""
+        color = theme.ACCENT if free else theme.WARNING
+        self.glow(surface, ball, color)
+        self.ball(surface, ball, faint=True)
+        pen.ring(surface, color, self.view.to_screen(ball.x, ball.y), self._radius(ball) + 2.0, 2.0)
+
+    def glow(self, surface: pygame.Surface, ball: Ball, color: theme.Color = theme.ACCENT) -> None:
+        """Draw light round a ball that can be taken, or is held."""
+        place, radius = self.view.to_screen(ball.x, ball.y), self._radius(ball)
+        for part in _GLOW:
+            pen.disc(surface, (*color[:3], _LIGHT), place, radius * part)
+
+    def guide(self, surface: pygame.Surface, level: int, layout: Layout, shot: Shot) -> None:
+        """Draw what a shot would do."""
+        # Off, it is not worked out either.
+        rollout = self.foresee(level, layout, shot) if level != guide.OFF else None
+        if rollout is not None:
+            if level == guide.WHOLE:
+                guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
+            guide.draw(surface, guide.foresee(rollout, shot.ball), level, self.table, self.view)
+
+    def ways(
+        self, surface: pygame.Surface, before: Rollout | None, compared: Rollout | None, now: Rollout | None
+    ) -> None:
+        """Draw what a shot did before the table was tuned, what it does now, and on the table compared."""
+        for rollout, cue, other in (
+            (before, theme.WAY_OLD, theme.WAY_OLD),
+            (compared, theme.WAY_OTHER, theme.WAY_OTHER),
+            (now, theme.GUIDE_CUE, theme.GUIDE_BALL),
+        ):
+            if rollout is not None:
+                guide.draw_whole(surface, rollout, self.table, self.view, cue, other, self.style)
+
+    def foresee(self, level: int, layout: Layout, shot: Shot) -> Rollout | None:
+        """The shot's rollout as far as the guide needs it; worked out anew only for another shot."""
+        events = None if level == guide.WHOLE else guide.EVENTS
+        key = (layout, self.table, shot, events)
+        if key != self._foreseen_key:
+            self._foreseen_key = key
+            try:
+                self._foreseen = simulate(self.table, layout, shot, events=events)
+            except (InputError, BudgetError):
+                self._foreseen = None
+        return self._foreseen
+
+    def _fit(self, panel: int) -> None:
+        size = self.table.knobs.table
+        left, top, width, height = self.screen.table
+        area = (left, top, max(1, width - panel), height)
+        self.camera.fit(fit(size.length, size.width, area), (size.length, size.width), area)
+
+    def _look(self, ball: str) -> Look:
+        return self.table.furniture.looks.get(ball) or ball_art.usual(ball)
+
+    def _placed(self, ball: Ball, lie: Quaternion, fine: bool = True) -> ball_art.Placed:
+        x, y = self.view.to_screen(ball.x, ball.y)
+        if not self.camera.settled:
+            # On its way each frame has balls of another size, whose light is worked out for each part of a pixel.
+            x, y = round(x), round(y)
+        return ball_art.Placed(self._look(ball.id), (x, y), self._radius(ball), lie, fine=fine)
+
+    def _radius(self, ball: Ball) -> float:
+        return self.table.body_of(ball)[0] * self.view.scale

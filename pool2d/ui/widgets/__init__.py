@@ -1,0 +1,1 @@
+"""Controls: buttons, sliders, fields, and the form that holds them."""

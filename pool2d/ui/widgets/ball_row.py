@@ -1,0 +1,32 @@
+"""A row of balls among widgets: what the settings make of their colours is seen at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pygame
+
+from ...draw import theme
+from ...draw.balls import ball_art, tray
+from ...physics.orientation import FACING, turn
+from .widget import Widget
+
+# Shapes are beside the numbers: balls that have them are turned so far that both are seen, rad.
+_TILT = (0.0, 0.85, 0.0)
+_BALLS = tuple(str(number) for number in range(1, 16))
+
+
+class Samples(Widget):
+    """The balls of a pool set side by side, in the style that `style` says."""
+
+    rows = 1.6
+    focusable = False
+
+    def __init__(self, style: Callable[[], theme.Style]) -> None:
+        super().__init__()
+        self.style = style
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        style = self.style()
+        lie = turn(*_TILT) if style.patterned else FACING
+        tray.draw(surface, self.rect, [ball_art.usual(ball) for ball in _BALLS], style, lie)

@@ -1,0 +1,92 @@
+"""What the rules, the drills and the presets say, in the player's language.
+
+Their English is their own: a catalogue has `ruling.<key>`, `option.<game>.<option>_hint` and `table.<preset>` only in
+another language.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from string import digits
+
+from ...game.drills.drill import Drill, Wording
+from ...game.match import Match, Moment
+from ...game.rules import Note
+from ...game.rules import notes as rules
+from ...table.table import Table
+from .shot_text import ball_name, place_name
+from .words import language, say, say_or
+
+
+def told(note: Note, names: Sequence[str]) -> str:
+    """A note of a ruling as a sentence; `names` are the players'."""
+    return rules.say(note, names, _template(note.key), ball)
+
+
+def option(key: str) -> str:
+    """What one of `Ask.options` is called."""
+    called = ball if key.startswith("group:") else place_name
+    return rules.label(key, _template("choice." + key.partition(":")[0]), called)
+
+
+def title(game: str) -> str:
+    """The title of a game."""
+    return say(f"game.{game}")
+
+
+def table_title(table: Table) -> str:
+    """What a table is called."""
+    return preset_title(table.source, table.title)
+
+
+def preset_title(name: str, own: str) -> str:
+    """What the table of a preset is called; its own title, where the language has no other for it."""
+    return say_or(f"table.{name}", own)
+
+
+def setting(name: str) -> str:
+    """What is set by one of a game's options; what its values are called is `choice.<value>`."""
+    return say(f"option.{name}")
+
+
+def setting_hint(game: str, name: str, doc: str) -> str:
+    """What one of a game's options does; `doc` is what its knob says, in English."""
+    return say_or(f"option.{game}.{name}_hint", doc)
+
+
+def wording(drill: Drill) -> Wording:
+    """A drill's name and text; in English, or what language it was written in, where it is not translated."""
+    return drill.said(language())
+
+
+def missed(key: str) -> str:
+    """Why a stroke did not do what a drill wants, from `Standing.missed`."""
+    return say(f"drill.missed.{key}") if key else ""
+
+
+def verdict(moment: Moment, match: Match) -> str:
+    """What fell in a stroke of a match, and what the ruling says of it."""
+    said = []
+    report = moment.report
+    if report is not None and report.call.push:
+        said.append(say("referee.pushed", player=match.names[moment.shooter]))
+    # A struck ball falls without foul only where that is a point.
+    fallen = () if report is None else report.potted if moment.ruling.foul else report.fallen
+    if fallen:
+        said.append(say("referee.fell", balls=", ".join(ball(match.rules.spoken(one)) for one in fallen)))
+    elif report is not None and not moment.ruling.foul and match.table.geometry.pockets:
+        said.append(say("referee.none_fell"))
+    elif report is not None and not moment.ruling.foul and not any(moment.ruling.points):
+        said.append(say("referee.no_point"))
+    return " ".join([*said, *(told(note, match.names) for note in moment.ruling.notes)])
+
+
+def _template(key: str) -> dict[str, str]:
+    return {key: say_or(f"ruling.{key}", rules.ENGLISH[key])}
+
+
+def ball(name: str) -> str:
+    """What a ball is called in a sentence, as by the rules' `called`: one of many alike has no number."""
+    if name.isdigit():
+        return say("ball.numbered", number=name)
+    return ball_name("white" if name == "cue" else name.rstrip(digits), "cue")

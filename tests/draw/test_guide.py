@@ -1,0 +1,134 @@
+"""The guide shows what the shot does."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import pygame
+import pytest
+
+from pool2d import Ball, Layout, Shot, load_table, simulate
+from pool2d.draw import guide
+from pool2d.draw.balls import ball_art
+from pool2d.draw.view import fit
+from pool2d.physics.values import POCKETED
+
+TABLE = load_table("pool-9ft")
+CUE = Ball("cue", 0.635, 0.5)
+CUT = Layout([CUE, Ball("1", 1.5, 0.53)])
+
+
+def angle(line: guide.Line) -> float:
+    (ax, ay), (bx, by) = line[0], line[-1]
+    return math.degrees(math.atan2(by - ay, bx - ax))
+
+
+def seen(shot: Shot, layout: Layout = CUT) -> guide.Guide:
+    return guide.foresee(simulate(TABLE, layout, shot, events=guide.EVENTS), "cue")
+
+
+def test_the_ghost_ball_touches_the_ball_it_will_hit() -> None:
+    view = seen(Shot(angle=1.0, speed=2.0))
+    assert view.ghost is not None
+    one = CUT["1"]
+    assert math.hypot(view.ghost.x - one.x, view.ghost.y - one.y) == pytest.approx(2 * 0.028575, abs=1e-8)
+    assert view.cue[0] == (CUE.x, CUE.y)
+    assert view.cue[-1] == pytest.approx((view.ghost.x, view.ghost.y))
+    assert view.object[0] == pytest.approx((one.x, one.y))
+
+
+def test_without_friction_the_object_ball_leaves_along_the_line_of_centres() -> None:
+    smooth = TABLE.with_knobs({"ball.law": "frictionless"})
+    view = guide.foresee(simulate(smooth, CUT, Shot(angle=1.0, speed=2.0), events=guide.EVENTS), "cue")
+    assert view.ghost is not None
+    line = math.degrees(math.atan2(CUT["1"].y - view.ghost.y, CUT["1"].x - view.ghost.x))
+    assert angle(view.object[:2]) == pytest.approx(line, abs=1e-6)
+    # Friction throws it off that line, toward the way the cue ball travels, and more where it is slow.
+    fast, slow = (angle(seen(Shot(angle=1.0, speed=speed)).object[:2]) for speed in (2.0, 1.0))
+    assert slow < line - 0.5
+    assert slow < fast < line - 0.3
+
+
+def test_english_squirts_the_cue_ball_away() -> None:
+    alone = Layout([CUE])
+    straight = seen(Shot(angle=0.0, speed=2.0), alone)
+    right = seen(Shot(angle=0.0, speed=2.0, side=0.4), alone)
+    assert angle(straight.cue[:2]) == pytest.approx(0.0, abs=1e-9)
+    assert angle(right.cue[:2]) > 1.0
+
+
+def test_an_elevated_cue_makes_the_path_swerve_back() -> None:
+    alone = Layout([CUE])
+    view = seen(Shot(angle=0.0, speed=3.0, side=0.3, elevation=20.0), alone)
+    first = math.atan2(view.cue[1][1] - view.cue[0][1], view.cue[1][0] - view.cue[0][0])
+    later = math.atan2(view.cue[9][1] - view.cue[8][1], view.cue[9][0] - view.cue[8][0])
+    assert later < first
+
+
+def test_the_way_of_the_cue_ball_after_the_contact_is_cut_to_length() -> None:
+    view = guide.foresee(simulate(TABLE, CUT, Shot(angle=1.0, speed=4.0), events=guide.EVENTS), "cue", length=0.3)
+    assert sum(math.dist(a, b) for a, b in pairwise(view.after)) == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("angle", [1.0, 2.7])
+def test_the_object_balls_line_ends_at_what_it_meets(angle: float) -> None:
+    shot = Shot(angle=angle, speed=3.0)
+    met = next(
+        event for event in simulate(TABLE, CUT, shot).events if event.kind == "ball_cushion" and "1" in event.balls
+    )
+    ball = met.before["1"]
+    assert seen(shot).object[-1] == pytest.approx((ball.x, ball.y), abs=1e-9)
+
+
+def test_the_object_balls_line_ends_where_it_comes_to_rest() -> None:
+    shot = Shot(angle=1.8, speed=0.6)
+    end = simulate(TABLE, CUT, shot).layout()["1"]
+    assert seen(shot).object[-1] == pytest.approx((end.x, end.y), abs=1e-9)
+
+
+def test_a_trace_meets_the_rollout() -> None:
+    rollout = simulate(TABLE, CUT, Shot(angle=1.0, speed=4.0))
+    line = guide.trace(rollout, "1")
+    end = rollout.layout()["1"]
+    assert line[0] == (CUT["1"].x, CUT["1"].y)
+    assert line[-1] == pytest.approx((end.x, end.y), abs=1e-9)
+
+
+def test_a_shot_that_meets_nothing_has_no_ghost() -> None:
+    view = seen(Shot(angle=90.0, speed=0.3), Layout([CUE]))
+    assert view.ghost is None
+    assert view.object == []
+    assert view.cue[-1][1] > CUE.y
+
+
+@pytest.mark.parametrize("ball", ["1", "2", "3", "14"])
+def test_in_the_whole_guide_a_way_has_the_colour_of_its_ball(ball: str) -> None:
+    layout = Layout([Ball("cue", 0.6, 0.6), Ball(ball, 0.9, 0.6)])
+    rollout = simulate(TABLE, layout, Shot(speed=1.5))
+    view = fit(2.54, 1.27, (0, 0, 1280, 720))
+    picture = pygame.Surface((1280, 720))
+    guide.draw_whole(picture, rollout, TABLE, view)
+    # Where the object ball is half-way, beyond where the cue ball comes.
+    at = rollout.layout()[ball].x
+    x, y = view.to_screen(0.5 * (at + rollout.layout()["cue"].x), 0.6)
+    drawn, own = picture.get_at((round(x), round(y))), pygame.Color(ball_art.usual(ball).color)
+    assert drawn.hsva[0] == pytest.approx(own.hsva[0], abs=3.0)
+    assert drawn.hsva[1] > 25.0
+
+
+def test_the_whole_guide_rings_the_pocket_that_a_ball_falls_into() -> None:
+    layout = Layout([Ball("cue", 0.6, 0.6), Ball("3", 0.3, 0.3)])
+    rollout = simulate(TABLE, layout, Shot(angle=225.0, speed=2.5))
+    fallen = rollout.layout()["3"]
+    assert fallen.phase == POCKETED
+    view = fit(2.54, 1.27, (0, 0, 1280, 720))
+    picture = pygame.Surface((1280, 720))
+    guide.draw_whole(picture, rollout, TABLE, view)
+    x, y = view.to_screen(fallen.x, fallen.y)
+    radius = 0.028575 * view.scale
+    ring = [
+        picture.get_at((round(x + radius * math.cos(turn)), round(y + radius * math.sin(turn))))[0]
+        for turn in (i * math.tau / 12 for i in range(12))
+    ]
+    assert min(ring) > 60

@@ -1,0 +1,65 @@
+"""Discs and rings."""
+
+from __future__ import annotations
+
+import math
+
+import pygame
+import pytest
+
+from pool2d.draw import pen
+
+
+def level(surface: pygame.Surface, x: float, y: float) -> int:
+    return surface.get_at((round(x), round(y)))[0]
+
+
+@pytest.mark.parametrize("radius", [2.0, 5.5, 20.0])
+def test_a_disc_is_filled_to_its_middle_and_no_further_than_its_edge(radius: float) -> None:
+    picture = pygame.Surface((60, 60))
+    pen.disc(picture, (255, 255, 255), (30.0, 30.0), radius)
+    assert level(picture, 30, 30) == 255
+    total = sum(level(picture, x, y) for x in range(60) for y in range(60)) / 255.0
+    assert total == pytest.approx(math.pi * radius * radius, rel=0.06)
+    assert level(picture, 30 + radius + 2, 30) == 0
+
+
+def test_a_ring_is_empty_inside() -> None:
+    picture = pygame.Surface((60, 60))
+    pen.ring(picture, (255, 255, 255), (30.0, 30.0), 20.0, 3.0)
+    assert level(picture, 30, 30) == 0
+    assert level(picture, 50, 30) == 255
+    total = sum(level(picture, x, y) for x in range(60) for y in range(60)) / 255.0
+    assert total == pytest.approx(math.tau * 20.0 * 3.0, rel=0.05)
+
+
+@pytest.mark.parametrize("width", [1.2, 1.6, 2.0, 3.4])
+@pytest.mark.parametrize("turn", [0, 3, 7, 15, 30, 44, 45, 46, 60, 83, 90, 91, 135, 170, 225, 300])
+def test_a_line_has_one_width_at_every_angle_and_place(width: float, turn: float) -> None:
+    way = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    for x, y in ((100.0, 100.0), (100.3, 99.6), (99.51, 100.49)):
+        picture = pygame.Surface((200, 200))
+        ends = [(x + side * 80.0 * way[0], y + side * 80.0 * way[1]) for side in (-1.0, 1.0)]
+        pen.line(picture, (255, 255, 255), ends[0], ends[1], width)
+        total = pygame.surfarray.array3d(picture)[:, :, 0].sum() / 255.0
+        assert total / 160.0 == pytest.approx(width, rel=0.02)
+
+
+def test_a_way_of_many_pieces_looks_like_one() -> None:
+    one, many = pygame.Surface((200, 120)), pygame.Surface((200, 120))
+    a, b = (10.2, 20.4), (190.7, 97.3)
+    between = [(a[0] + (b[0] - a[0]) * i / 37, a[1] + (b[1] - a[1]) * i / 37) for i in range(38)]
+    pen.path(one, (220, 180, 90), [a, b], 1.6)
+    pen.path(many, (220, 180, 90), between, 1.6)
+    difference = pygame.surfarray.array3d(one).astype(int) - pygame.surfarray.array3d(many)
+    assert abs(difference).max() <= 30
+
+
+def test_a_line_stays_within_the_clip() -> None:
+    picture = pygame.Surface((60, 60))
+    picture.set_clip((20, 20, 20, 20))
+    pen.line(picture, (255, 255, 255), (-30.0, 25.0), (100.0, 33.0), 2.0)
+    lit = pygame.surfarray.array3d(picture)[:, :, 0]
+    assert lit[20:40, 20:40].any()
+    lit[20:40, 20:40] = 0
+    assert not lit.any()

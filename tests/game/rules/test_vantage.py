@@ -1,0 +1,108 @@
+"""Snookered from hand: whether there is any place in the D, or in baulk, from which a ball on is seen at both edges."""
+
+from __future__ import annotations
+
+import math
+import random
+
+import pytest
+
+from pool2d import Layout, Table, load_table
+from pool2d.game.rules import game
+from pool2d.game.rules.sight import snookered
+from pool2d.game.rules.spotting import may_place, put
+from pool2d.game.rules.vantage import vantage
+from pool2d.physics.values import POCKETED
+from pool2d.table.outline import Point
+
+SNOOKER, ENGLISH = load_table("snooker-12ft"), load_table("english-7ft")
+LINE, MIDDLE = SNOOKER.furniture.spots["head"]
+TOUCH = 2.0 * SNOOKER.knobs.ball.radius
+
+
+def alone(table: Table, rules: str, **places: Point) -> Layout:
+    """Some balls at places; the others, and the cue ball, are off the table."""
+    layout = Layout(ball._replace(phase=POCKETED) for ball in game(rules, table).start().layout.values())
+    for ball, place in places.items():
+        layout = put(layout, ball, place)
+    return layout
+
+
+def at_a_slit(half: float, from_y: float) -> Layout:
+    """A red 2 m from a place on the baulk line, behind two balls that leave a slit on that way."""
+    far, red = 2.0, (LINE + math.sqrt(4.0 - (from_y - MIDDLE) ** 2), MIDDLE)
+    ux, uy = (LINE - red[0]) / far, (from_y - red[1]) / far
+    x, y = red[0] + 0.06 * ux, red[1] + 0.06 * uy
+    return alone(
+        SNOOKER, "snooker", red1=red, pink=(x - half * uy, y + half * ux), black=(x + half * uy, y - half * ux)
+    )
+
+
+def least(far: float = 2.0, behind: float = 0.06) -> float:
+    """How far from a way two balls must be, that stand so far before a ball at its end, to leave both edges in sight.
+
+    The lines to the edges lean by asin(touch / far) towards the way, and pass each ball at a touch's distance.
+    """
+    return TOUCH * (2.0 - behind / far) / math.sqrt(1.0 - (TOUCH / far) ** 2)
+
+
+@pytest.mark.parametrize("from_y", [MIDDLE, MIDDLE + 0.2, MIDDLE - 0.27])
+def test_a_slit_of_two_micrometres_is_found(from_y: float) -> None:
+    layout = at_a_slit(least() + 1e-6, from_y)
+    place = vantage(SNOOKER, layout, layout["cue"], ("red1",), "d")
+    assert place == pytest.approx((LINE, from_y), abs=2e-3)
+
+
+def test_there_is_none_where_the_slit_is_too_narrow() -> None:
+    """By symmetry the place on the way itself is the best, and the nearest on it."""
+    layout = at_a_slit(least() - 1e-6, MIDDLE)
+    assert vantage(SNOOKER, layout, layout["cue"], ("red1",), "d") is None
+
+
+@pytest.mark.parametrize(("gap", "seen"), [(-1e-4, False), (1e-6, True)])
+def test_the_only_place_is_beside_another_ball(gap: float, seen: bool) -> None:
+    """The slit leads to the end of the baulk line, where the yellow leaves just room for a ball, or not quite."""
+    end = SNOOKER.furniture.spots["yellow"][1]
+    away = math.sqrt(0.5) * (TOUCH + gap)
+    layout = put(at_a_slit(least() + 1e-6, end), "yellow", (LINE - away, end - away))
+    found = vantage(SNOOKER, layout, layout["cue"], ("red1",), "d")
+    assert (found is not None) is seen
+
+
+def drawn(table: Table, rules: str, rng: random.Random, on: int, others: int) -> tuple[Layout, tuple[str, ...]]:
+    """Balls on all over the table, the others crowded round them, and which are on."""
+    names = [ball for ball in game(rules, table).start().layout if ball != "cue"]
+    ids = rng.sample(names, on + others)
+    layout, radius = alone(table, rules), table.knobs.ball.radius
+    size = table.knobs.table
+    for i, ball in enumerate(ids):
+        for _ in range(100):
+            x, y = rng.uniform(0.0, size.length), rng.uniform(0.0, size.width)
+            if i >= on:
+                near, way = layout[ids[i % on]], rng.gauss(math.pi, 0.8)
+                gap = rng.uniform(2.0, 3.3) * radius
+                x, y = near.x + gap * math.cos(way), near.y + gap * math.sin(way)
+            if table.on_surface(x, y) and table.has_room(x, y, radius, layout):
+                layout = put(layout, ball, (x, y))
+                break
+    return layout, tuple(ball for ball in ids[:on] if layout[ball].phase != POCKETED)
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize(
+    ("table", "rules", "where", "between"),
+    [(SNOOKER, "snooker", "d", False), (ENGLISH, "english-eight-ball", "kitchen", True)],
+)
+def test_no_sample_finds_what_is_not_there(table: Table, rules: str, where: str, between: bool, seed: int) -> None:
+    """A place that is named is one; where none is named, none of many is."""
+    rng = random.Random(f"{rules} {seed}")
+    layout, on = drawn(table, rules, rng, 1 + seed % 2, 2 + seed % 5)
+    cue, line = layout["cue"], table.furniture.spots["head"][0]
+    place = vantage(table, layout, cue, on, where, between)
+    if place is not None:
+        assert not snookered(table, layout, cue._replace(x=place[0], y=place[1]), on, between=between)
+        return
+    for _ in range(300):
+        x, y = rng.uniform(line - 0.4, line), rng.uniform(0.0, table.knobs.table.width)
+        if may_place(table, layout, "cue", where, x, y):
+            assert snookered(table, layout, cue._replace(x=x, y=y), on, between=between)

@@ -1,0 +1,99 @@
+"""What is counted of a player: which balls are pots, and what a run is."""
+
+from __future__ import annotations
+
+import pytest
+
+from pool2d import load_table
+from pool2d.game.rules import GAMES
+from pool2d.game.tally import Tally, after_stroke
+
+from .rules import test_english_eight_ball, test_snooker
+from .rules.cases import Case, given, rules_of, situation
+from .rules.notation import after, report
+from .rules.rule_scenes import judged as scene_judged
+
+BEFORE = (Tally(innings=1, run=2, best=3, pots=4), Tally())
+
+
+def counted(name: str, setting: str, said: str, shot: str) -> tuple[int, int, int]:
+    """The pots that a stroke adds, then run and best; player 0 had a run of 2 and a best of 3."""
+    case = Case("", "", setting, said, shot, "")
+    rules = rules_of(name, case)
+    state, layout = situation(rules, case)
+    seen = report(shot, said, start=layout, **given(case).report)
+    ruling = rules.judge(state, after(layout, seen), seen)
+    mine = after_stroke(BEFORE, 0, True, rules, ruling, seen)[0]
+    return mine.pots - 4, mine.run, mine.best
+
+
+@pytest.mark.parametrize(
+    ("name", "setting", "said", "shot", "pots", "run"),
+    [
+        # Eight-ball: the ball called, and no other.
+        ("eight-ball", "solids", "3>", "cue-3 3>", 1, 3),
+        ("eight-ball", "solids", "3>", "cue-3 3> 4> 9>", 1, 3),
+        ("eight-ball", "solids", "3>top-right", "cue-3 4>", 0, 0),
+        ("eight-ball", "solids", "3>bottom-left", "cue-3 3>top-left", 0, 0),
+        ("eight-ball", "solids", "safety", "cue-3 3>", 0, 0),
+        ("eight-ball", "solids", "3>", "cue-3 3> cue>", 0, 0),
+        ("eight-ball", "break", "", "cue-1 1> 9>", 2, 4),
+        ("eight-ball", "break", "", "cue-1 8> 9>", 0, 0),
+        ("eight-ball", "solids, balls 8 9", "8>", "cue-8 8>", 1, 3),
+        ("eight-ball", "solids, balls 3 8 9", "3>", "cue-3 8>", 0, 0),
+        # Nine-ball: whatever stays down and keeps the player at the table.
+        ("nine-ball", "", "", "cue-1 5> 3>", 2, 4),
+        ("nine-ball", "", "", "cue-1 9>", 1, 3),
+        ("nine-ball", "", "", "cue-2 5>", 0, 0),
+        ("nine-ball", "may push", "push", "cue-5 5>", 0, 0),
+        ("nine-ball", "break, option nine_on_break spotted", "", "cue-1 9> 2>", 1, 3),
+        ("nine-ball", "break, option three_ball yes", "", "cue-1 2>", 0, 0),
+        # Ten-ball: called again.
+        ("ten-ball", "", "2>", "cue-1 2>", 1, 3),
+        ("ten-ball", "", "2>", "cue-1 2> 5>", 1, 3),
+        ("ten-ball", "", "2>", "cue-1 5>", 0, 0),
+        ("ten-ball", "", "10>", "cue-1 10>", 0, 0),
+        # Straight pool: all that fall with the ball called are points.
+        ("straight", "", "5>", "cue-5 5> 6>", 2, 4),
+        ("straight", "", "5>top-right", "cue-5 6>", 0, 0),
+        ("straight", "", "safety", "cue-5 5>", 0, 0),
+        ("straight", "", "5>", "cue-5 5> cue>", 0, 0),
+        # One-pocket: one's own pocket.
+        ("one-pocket", "", "", "cue-3 3>bottom-right 4>top-right 5>top-left", 1, 3),
+        ("one-pocket", "", "", "cue-3 3>top-right", 0, 0),
+    ],
+)
+def test_what_counts_as_a_pot(name: str, setting: str, said: str, shot: str, pots: int, run: int) -> None:
+    assert counted(name, setting, said, shot) == (pots, run, max(3, run))
+
+
+@pytest.mark.parametrize(
+    ("setting", "said", "shot", "pots"),
+    [
+        ("phase color", "blue", "cue-blue blue>", 1),
+        ("", "", "cue-red1 red1> red2>", 2),
+        ("", "", "cue-red1 red1> cue>", 0),
+    ],
+)
+def test_colors_that_are_spotted_are_pots_at_snooker(setting: str, said: str, shot: str, pots: int) -> None:
+    case = Case("", "", setting, said, shot, "")
+    rules, ruling = scene_judged("snooker", test_snooker.TABLE, case, test_snooker.asks)
+    assert len(rules.pots(0, report(shot, said), ruling)) == pots
+
+
+@pytest.mark.parametrize(
+    ("setting", "shot", "pots"),
+    [
+        ("groups red yellow", "cue-red1 red1>", 1),
+        ("shots 0, where kitchen", "cue-red1 red3> yellow2>", 2),
+        ("shots 0, where kitchen", "cue-red1 black> red3>", 0),
+        ("trial red, visits 2", "cue-red1 yellow2>", 0),
+        ("trial red, visits 2", "cue-red1 red2>", 1),
+    ],
+)
+def test_pots_at_english_eight_ball(setting: str, shot: str, pots: int) -> None:
+    case = Case("", "", setting, "", shot, "")
+    table = load_table("english-7ft")
+    rules, ruling = scene_judged("english-eight-ball", table, case, test_english_eight_ball.asks)
+    assert rules.name in GAMES
+    assert len(rules.pots(0, report(shot), ruling)) == pots

@@ -1,0 +1,157 @@
+"""When balls meet things: against a dense look at where they are."""
+
+from __future__ import annotations
+
+import math
+import random
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from pool2d import Ball
+from pool2d.physics.body import Body
+from pool2d.physics.detect import SKIN, Jaw, Pocket, Rail, time_ball_ball
+from pool2d.physics.motion import Motion, start
+from pool2d.physics.params import Cloth
+
+from ..plays import between
+
+RADIUS, STEPS = 0.028575, 300
+TOUCH = 2.0 * RADIUS
+RAIL = Rail("rail", 0.2, 0.0, 0.8, 0.0)
+PLACE, SPEED, SPIN = between(0.0, 1.0), between(-3.0, 3.0), between(-100.0, 100.0)
+ANYWHERE = st.tuples(PLACE, PLACE, SPEED, SPEED, SPIN, SPIN)
+# Few of these meet anything; so others are sent to where the jaw and the pocket are, or lie there, or come down on the
+# rail.
+MIDDLE = st.tuples(between(0.4, 0.6), between(0.4, 0.6), between(-0.2, 0.2), between(-0.2, 0.2), SPIN, SPIN)
+SENT = st.builds(
+    lambda x, y, aside, part, wx, wy: (x, y, part * (0.5 + aside - x), part * (0.5 - y), wx, wy),
+    PLACE, PLACE, between(-0.1, 0.1), between(1.0, 6.0), SPIN, SPIN,
+)  # fmt: skip
+BALL = ANYWHERE | SENT
+DOWN = st.tuples(PLACE, between(RADIUS, 0.2), between(-1.0, 1.0), between(-3.0, -0.5), SPIN, SPIN)
+
+
+def move(x: float, y: float, vx: float = 0.0, vy: float = 0.0, wx: float = 0.0, wy: float = 0.0) -> Motion:
+    return start(Body(Ball("", x, y, vx, vy, wx, wy), 0, RADIUS, 0.17), 0.0, Cloth(), 9.81)
+
+
+def places(motion: Motion, end: float) -> list[tuple[float, float, float]]:
+    balls = ((end * i / STEPS, motion.at(end * i / STEPS)) for i in range(STEPS + 1))
+    return [(t, ball.x, ball.y) for t, ball in balls]
+
+
+def check(time: float, gaps: list[tuple[float, float]], gap_at: float) -> None:
+    """`time` is the first at which the gap, sampled as (t, gap), falls to -SKIN."""
+    first = next((t for t, gap in gaps if gap < -2.0 * SKIN), math.inf)
+    assert time <= first
+    if time < math.inf:
+        assert gap_at == pytest.approx(-SKIN, abs=1e-13)
+        # A dip between two samples is not seen by the scan, but they are as near as ten metres a second lets them.
+        assert min(gap for _, gap in gaps) < 10.0 * gaps[1][0]
+
+
+@given(BALL, BALL | MIDDLE)
+def test_balls_meet_when_a_scan_says_so(one: tuple[float, ...], two: tuple[float, ...]) -> None:
+    assume(math.hypot(one[0] - two[0], one[1] - two[1]) >= TOUCH)
+    a, b = move(*one), move(*two)
+    end = min(a.t1, b.t1, 5.0)
+    time = time_ball_ball(a, b, 0.0, end, TOUCH)
+    pairs = zip(places(a, end), places(b, end), strict=True)
+    gaps = [(t, math.hypot(x - u, y - v) - TOUCH) for (t, x, y), (_, u, v) in pairs]
+    at = min(time, end)
+    check(time, gaps, math.hypot(a.at(at).x - b.at(at).x, a.at(at).y - b.at(at).y) - TOUCH)
+    # The same, asked later and of the other.
+    assert time_ball_ball(b, a, 0.0, end, TOUCH) == pytest.approx(time, rel=1e-12)
+    if 0.0 < time < math.inf:
+        assert time_ball_ball(a, b, 0.5 * time, end, TOUCH) == pytest.approx(time, rel=1e-9)
+
+
+@given(BALL, between(0.0, 0.1))
+def test_jaws_are_met_when_a_scan_says_so(one: tuple[float, ...], radius: float) -> None:
+    jaw = Jaw("jaw", 0.5, 0.5, radius)
+    assume(jaw.gap(one[0], one[1], RADIUS) >= 0.0)
+    motion = move(*one)
+    end = min(motion.t1, 5.0)
+    time = jaw.time(motion, RADIUS, end)
+    ball = motion.at(min(time, end))
+    check(time, [(t, jaw.gap(x, y, RADIUS)) for t, x, y in places(motion, end)], jaw.gap(ball.x, ball.y, RADIUS))
+
+
+def test_what_a_path_reaches_at_any_point_is_met() -> None:
+    """However it bends: the ball is drawn back from a jaw, swerves into a pocket's rim, or passes by all but a hair."""
+    rng, met = random.Random(1), 0
+    for _ in range(2000):
+        way = rng.uniform(0.0, 2.0 * math.pi)
+        motion = move(0.5, 0.5, math.cos(way), math.sin(way), rng.uniform(-200.0, 200.0), rng.uniform(-200.0, 200.0))
+        end, time, turn, radius = motion.t1, rng.uniform(0.0, motion.t1), rng.uniform(0.0, 6.3), rng.uniform(0.01, 0.1)
+        ball = motion.at(time)
+        for kind, reach in ((Jaw, radius + RADIUS), (Pocket, radius)):
+            away = reach - 1e-4
+            element = kind(kind.kind, ball.x + away * math.cos(turn), ball.y + away * math.sin(turn), radius)
+            if element.gap(0.5, 0.5, RADIUS) > 0.0:
+                met += 1
+                assert element.time(motion, RADIUS, end) <= time
+    assert met > 2000
+
+
+@given(BALL)
+def test_pockets_are_met_at_their_rim(one: tuple[float, ...]) -> None:
+    pocket = Pocket("pocket", 0.5, 0.5, 0.06)
+    assume(pocket.gap(one[0], one[1], RADIUS) >= 0.0)
+    motion = move(*one)
+    end = min(motion.t1, 5.0)
+    time = pocket.time(motion, RADIUS, end)
+    first = next((t for t, x, y in places(motion, end) if pocket.gap(x, y, RADIUS) < -1e-12), math.inf)
+    assert time <= first
+    if time < math.inf:
+        ball = motion.at(time)
+        assert pocket.gap(ball.x, ball.y, RADIUS) == pytest.approx(0.0, abs=1e-13)
+
+
+@given(DOWN)
+def test_rails_are_met_between_their_ends(one: tuple[float, ...]) -> None:
+    assume(one[1] >= RADIUS)
+    motion = move(*one)
+    end = min(motion.t1, 5.0)
+    time = RAIL.time(motion, RADIUS, end)
+    track = places(motion, end)
+    low = next(((t, x) for t, x, y in track if y < RADIUS - 2.0 * SKIN), (math.inf, 0.0))
+    on_it = 0.21 < low[1] < 0.79
+    if on_it:
+        # It comes down on the rail, clear of its ends by more than a sample's way.
+        assert time <= low[0]
+    if time < math.inf:
+        ball = motion.at(time)
+        assert ball.y == pytest.approx(RADIUS - SKIN, abs=1e-13)
+        assert 0.2 - 1e-9 <= ball.x <= 0.8 + 1e-9
+        assert ball.vy <= 1e-9
+
+
+@pytest.mark.parametrize("off", [-1e-15, -1e-16, 0.0, 1e-16, 1e-15])
+def test_touching_is_meeting_only_on_the_way_in(off: float) -> None:
+    """Where rounding leaves a ball that was in contact, a hair to either side."""
+    y = RADIUS - SKIN + off
+    assert RAIL.time(move(0.5, y, 0.1, -1.0), RADIUS, 1.0) == 0.0
+    assert RAIL.time(move(0.5, y, 0.1, 1.0), RADIUS, 1.0) == math.inf
+    assert RAIL.time(move(0.5, y), RADIUS, 1.0) == math.inf
+    # On its way out, and turned back by its spin.
+    back = RAIL.time(move(0.5, y, 0.0, 0.01, 50.0), RADIUS, 0.1)
+    assert back == pytest.approx(2.0 * 0.01 / (0.2 * 9.81), rel=1e-6)
+    x = TOUCH - SKIN + off
+    still = move(0.5, 0.5)
+    assert time_ball_ball(move(0.5 - x, 0.5, 1.0), still, 0.0, 1.0, TOUCH) == 0.0
+    assert time_ball_ball(move(0.5 - x, 0.5, -1.0), still, 0.0, 1.0, TOUCH) == math.inf
+    again = time_ball_ball(move(0.5 - x, 0.5, -0.01, wy=50.0), still, 0.0, 0.1, TOUCH)
+    assert again == pytest.approx(2.0 * 0.01 / (0.2 * 9.81), rel=1e-6)
+
+
+@given(between(-0.1, 0.1))
+def test_gap_is_negative_inside(off: float) -> None:
+    assert RAIL.gap(0.5, RADIUS + off, RADIUS) == pytest.approx(off, abs=1e-12)
+    assert RAIL.normal(0.5, 0.1) == (0.0, -1.0)
+    assert RAIL.gap(0.9, 0.0, RADIUS) == pytest.approx(0.1 - RADIUS)
+    jaw = Jaw("jaw", 0.5, 0.0, 0.02)
+    assert jaw.gap(0.5, 0.02 + RADIUS + abs(off), RADIUS) == pytest.approx(abs(off), abs=1e-12)
+    assert jaw.normal(0.5, 0.3) == (0.0, -1.0)

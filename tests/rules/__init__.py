@@ -1,1 +1,0 @@
-"""The rules, clause by clause."""

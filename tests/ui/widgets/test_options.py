@@ -1,0 +1,265 @@
+"""The options page by mouse and keyboard: settings apply at once and are kept, and keys are bound anew."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pygame
+import pytest
+
+from pool2d import load_table
+from pool2d.config.settings import Store
+from pool2d.draw import guide, text
+from pool2d.ui.app import App
+from pool2d.ui.dialogs.help import keys
+from pool2d.ui.dialogs.options import PAGES, KeyRow, Options
+from pool2d.ui.play.play import Play
+from pool2d.ui.widgets.ball_row import Samples
+from pool2d.ui.widgets.inputs import Choice, Slider
+from pool2d.ui.widgets.widget import Button, Tabs, Toggle, Widget
+from pool2d.ui.wording import words
+from pool2d.ui.wording.keys import DEFAULTS, KEYS, action_of
+
+from ..conftest import Hand
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Store:
+    return Store(tmp_path / "settings.toml")
+
+
+@pytest.fixture
+def mine(store: Store) -> Iterator[Hand]:
+    """A hand at a window whose settings are kept."""
+    app = App(load_table("pool-9ft"), seed=3, store=store)
+    pygame.event.clear()
+    yield Hand(app)
+    app.close()
+    KEYS.reset()
+    words.speak("en")
+
+
+def options(hand: Hand, page: str = PAGES[0]) -> Options:
+    """Open the options by key, at a page."""
+    if not isinstance(hand.app.scene, Options):
+        hand.key(pygame.K_o)
+    scene = hand.app.scene
+    assert isinstance(scene, Options)
+    for _ in range(PAGES.index(page)):
+        hand.key(pygame.K_RIGHT)
+    assert scene.page == page
+    return scene
+
+
+def widget(scene: Options, kind: type[Widget], label: str) -> Widget:
+    return next(w for w in scene.form.widgets if isinstance(w, kind) and getattr(w, "label", label) == label)
+
+
+def click(hand: Hand, pos: tuple[float, float]) -> None:
+    hand.move(pos)
+    hand.press()
+    hand.release()
+
+
+def row(scene: Options, action: str) -> KeyRow:
+    return next(w for w in scene.form.widgets if isinstance(w, KeyRow) and w.action == action)
+
+
+def test_a_key_opens_the_options_and_esc_closes_them(mine: Hand) -> None:
+    options(mine)
+    mine.key(pygame.K_ESCAPE)
+    assert isinstance(mine.app.scene, Play)
+
+
+def test_opening_them_puts_the_cue_down(mine: Hand) -> None:
+    mine.point(1.2, 0.7)
+    mine.press()
+    mine.pull(60)
+    assert mine.play.hands.busy
+    options(mine)
+    mine.release()
+    mine.key(pygame.K_ESCAPE)
+    assert not mine.play.hands.busy
+    assert mine.play.rollout is None
+
+
+def test_a_slider_is_dragged_and_the_file_holds_it(mine: Hand, store: Store) -> None:
+    scene = options(mine, "sound")
+    slider = widget(scene, Slider, "Volume")
+    mine.move((slider.rect.centerx, slider.rect.bottom - 10))
+    mine.press()
+    mine.move((slider.rect.left, slider.rect.bottom - 10))
+    mine.release()
+    assert store.values.sound.volume == 0.0
+    mine.app.step(2.0)
+    assert store.path is not None
+    assert Store(store.path).values.sound.volume == 0.0
+
+
+def test_everything_on_the_screen_page_by_keyboard(mine: Hand, store: Store) -> None:
+    scene = options(mine, "screen")
+    mine.key(pygame.K_TAB)
+    mine.key(pygame.K_TAB)
+    assert scene.form.focus is widget(scene, Toggle, "Reduced motion")
+    mine.key(pygame.K_SPACE)
+    assert store.values.screen.reduced_motion
+    assert mine.app.toasts.still
+    mine.key(pygame.K_TAB)
+    mine.key(pygame.K_RETURN)
+    assert store.values.screen.full
+    assert mine.app.surface.get_flags() & pygame.FULLSCREEN
+    mine.key(pygame.K_RETURN)
+    assert not mine.app.surface.get_flags() & pygame.FULLSCREEN
+
+
+def test_the_guide_is_the_same_setting_in_play_and_here(mine: Hand, store: Store) -> None:
+    mine.key(pygame.K_g)
+    assert store.values.aiming.guide == "whole shot"
+    scene = options(mine)
+    box = widget(scene, Choice, "Guide").rect
+    click(mine, (box.right - 5, box.centery))
+    assert store.values.aiming.guide == "off"
+    assert mine.play.level == guide.OFF
+
+
+def test_another_language_is_spoken_at_once(mine: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    said: list[str] = []
+    real = text.draw
+
+    def spy(surface: pygame.Surface, line: str, *rest: object) -> pygame.Rect:
+        said.append(line)
+        return real(surface, line, *rest)  # type: ignore[arg-type]
+
+    scene = options(mine, "screen")
+    choice = widget(scene, Choice, "Language")
+    assert isinstance(choice, Choice)
+    monkeypatch.setattr(text, "draw", spy)
+    while mine.app.store.values.screen.language != "de":
+        choice.turn(1)
+    mine.app.step(0.0)
+    assert {"Einstellungen", "Sprache", "Deutsch", "Schließen"} <= set(said)
+
+
+def test_the_window_opens_in_the_language_and_at_the_guide_set_before(store: Store) -> None:
+    store.turn("screen.language", "de")
+    store.turn("aiming.guide", "line")
+    app = App(load_table("pool-9ft"), seed=3, store=store)
+    assert words.say("form.cancel") == "Abbrechen"
+    assert app.play.level == guide.LINE
+    app.close()
+    words.speak("en")
+
+
+def test_reset_and_close_by_mouse(mine: Hand, store: Store) -> None:
+    store.turn("sound.volume", 0.1)
+    store.turn("aiming.guide", "line")
+    scene = options(mine, "sound")
+    click(mine, widget(scene, Button, "Reset this page").rect.center)
+    assert store.values.sound.volume == 0.8
+    assert store.values.aiming.guide == "line"
+    click(mine, widget(scene, Button, "Close").rect.center)
+    assert isinstance(mine.app.scene, Play)
+
+
+def test_pages_by_mouse(mine: Hand) -> None:
+    scene = options(mine)
+    tabs = next(w for w in scene.form.widgets if isinstance(w, Tabs))
+    click(mine, (tabs.rect.right - 10, tabs.rect.centery))
+    assert scene.page == "keys"
+
+
+def test_a_key_is_bound_anew_and_the_help_shows_it(mine: Hand, store: Store) -> None:
+    scene = options(mine, "keys")
+    click(mine, row(scene, "guide").rect.center)
+    assert "press a key" in row(scene, "guide").told
+    mine.key(pygame.K_h)
+    assert action_of(pygame.K_h, 0) == "guide"
+    assert action_of(pygame.K_g, 0) is None
+    mine.key(pygame.K_ESCAPE)
+    assert isinstance(mine.app.scene, Play)
+    level = mine.play.level
+    mine.key(pygame.K_h)
+    assert mine.play.level != level
+    assert ("H", words.say("help.guide")) in keys()
+    store.save()
+    assert store.path is not None
+    assert Store(store.path).keys == {"guide": ("h",)}
+
+
+def test_a_key_that_another_action_has_is_told_and_taken_on_the_second_press(mine: Hand) -> None:
+    scene = options(mine, "keys")
+    click(mine, row(scene, "guide").rect.center)
+    mine.key(pygame.K_n)
+    assert action_of(pygame.K_n, 0) == "rack"
+    assert "New rack" in row(scene, "guide").told
+    mine.key(pygame.K_n)
+    assert action_of(pygame.K_n, 0) == "guide"
+    assert KEYS.shown("rack") == "no key"
+
+
+def test_while_a_row_waits_it_gets_tab_and_esc_and_the_windows_keys(mine: Hand) -> None:
+    scene = options(mine, "keys")
+    click(mine, row(scene, "guide").rect.center)
+    mine.key(pygame.K_F11)
+    assert not mine.app.surface.get_flags() & pygame.FULLSCREEN
+    assert "Full screen" in row(scene, "guide").told
+    mine.key(pygame.K_TAB)
+    assert "Fast-forward" in row(scene, "guide").told
+    mine.key(pygame.K_LSHIFT)
+    mine.key(pygame.K_ESCAPE)
+    assert mine.app.scene is scene
+    assert KEYS.chords == DEFAULTS
+    click(mine, row(scene, "guide").rect.center)
+    click(mine, row(scene, "undo").rect.center)
+    assert not row(scene, "guide").greedy and row(scene, "undo").greedy
+
+
+def test_delete_sets_a_key_back_and_reset_all_of_them(mine: Hand, store: Store) -> None:
+    scene = options(mine, "keys")
+    for action, key in (("guide", pygame.K_h), ("rack", pygame.K_z)):
+        click(mine, row(scene, action).rect.center)
+        mine.key(key)
+    click(mine, row(scene, "guide").rect.center)
+    mine.key(pygame.K_ESCAPE)
+    mine.key(pygame.K_DELETE)
+    assert KEYS.shown("guide") == "G"
+    assert set(store.keys) == {"rack"}
+    scene._reset()
+    assert KEYS.chords == DEFAULTS
+    assert store.keys == {}
+
+
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (3840, 2160), (480, 270), (320, 600)])
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_every_page_stays_inside_the_window(size: tuple[int, int], language: str, store: Store) -> None:
+    store.turn("screen.language", language)
+    app = App(load_table("pool-9ft"), seed=3, size=size, store=store)
+    hand = Hand(app)
+    for page in PAGES:
+        app.scene = app.play
+        scene = options(hand, page)
+        app.step(0.0)
+        assert pygame.Rect(0, 0, *size).contains(scene.form.rect)
+        if page != "keys":
+            assert all(scene.form.rect.contains(w.rect) for w in scene.form.widgets)
+    app.close()
+    words.speak("en")
+
+
+def test_balls_are_shown_as_their_options_make_them(hand: Hand) -> None:
+    options(hand, "balls")
+
+    def row() -> bytes:
+        hand.app.redraw()
+        hand.app.step(0.0)
+        scene = hand.app.scene
+        assert isinstance(scene, Options)
+        samples = next(widget for widget in scene.form.widgets if isinstance(widget, Samples))
+        return pygame.image.tobytes(hand.app.surface.subsurface(samples.rect), "RGB")
+
+    seen = {row()}
+    for name, value in (("balls.palette", "colour-blind"), ("balls.patterned", True)):
+        hand.app.store.turn(name, value)
+        seen.add(row())
+    assert len(seen) == 3

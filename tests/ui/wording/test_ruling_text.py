@@ -1,0 +1,124 @@
+"""What the rules and the drills say, in the player's language."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from pool2d.config.knobs import walk
+from pool2d.draw import text
+from pool2d.game.drills.drill import MISSES
+from pool2d.game.drills.drill_file import drills, load
+from pool2d.game.rules import GAMES, Note, label, say
+from pool2d.game.rules.notes import ENGLISH
+from pool2d.ui.wording import ruling_text, words
+
+NAMES = ("Ann", "Bob")
+NOTES = [key for key in ENGLISH if not key.startswith("choice.")]
+CHOICES = [key.removeprefix("choice.") for key in ENGLISH if key.startswith("choice.")]
+
+
+@pytest.fixture(autouse=True)
+def english_afterwards() -> Iterator[None]:
+    words.speak("en")
+    yield
+    words.speak("en")
+
+
+@pytest.mark.parametrize("key", NOTES)
+@pytest.mark.parametrize("ball", ["3", "cue", "red7", "black"])
+def test_english_is_what_the_rules_say(key: str, ball: str) -> None:
+    note = Note(key, 1, ball, 4)
+    assert ruling_text.told(note, NAMES) == say(note, NAMES)
+
+
+@pytest.mark.parametrize("key", CHOICES)
+def test_an_option_in_english_is_what_the_rules_call_it(key: str) -> None:
+    about = {"group": ":red", "start-spot": ":left"}.get(key, "")
+    assert ruling_text.option(key + about) == label(key + about)
+    assert ruling_text.option("pocket:top-right") == "The top right pocket"
+
+
+@pytest.mark.parametrize("key", NOTES)
+def test_german_says_every_note_otherwise(key: str) -> None:
+    note = Note(key, 1, "red7", 4)
+    english = ruling_text.told(note, NAMES)
+    words.speak("de")
+    german = ruling_text.told(note, NAMES)
+    assert german.endswith(".") and "{" not in german and not german[0].islower()
+    # "Free Ball" is what it is called in German, too.
+    assert (german.lower() == english.lower()) == (key == "free-ball")
+
+
+@pytest.mark.parametrize(
+    ("note", "german"),
+    [
+        (Note("foul.off", ball="3"), "Kugel 3 hat den Tisch verlassen."),
+        (Note("foul.wrong-ball", ball="red7"), "Rot wurde zuerst getroffen und war nicht an der Reihe."),
+        (Note("spotted", ball="cue"), "Weiß wird wieder aufgesetzt."),
+        (Note("score", 1, points=1), "Punkte für Bob: 1."),
+        (Note("foul.double-hit", ball="12"), "Das Leder lag noch am Spielball, als er Kugel 12 traf."),
+        (Note("in-hand.kitchen", 0), "Ann hat den Spielball in der Hand, im Kopffeld."),
+        (Note("draw"), "Unentschieden."),
+    ],
+)
+def test_a_note_in_german(note: Note, german: str) -> None:
+    words.speak("de")
+    assert ruling_text.told(note, NAMES) == german
+
+
+@pytest.mark.parametrize(
+    ("key", "german"),
+    [
+        ("play", "Spielen"),
+        ("group:yellow", "Gelb spielen"),
+        ("start-spot:left", "Vom Punkt links"),
+        ("pocket:top-right", "Tasche oben rechts"),
+    ],
+)
+def test_an_option_in_german(key: str, german: str) -> None:
+    words.speak("de")
+    assert ruling_text.option(key) == german
+
+
+@pytest.mark.parametrize("language", words.languages())
+def test_a_choice_fits_its_button(language: str) -> None:
+    words.speak(language)
+    keys = {"group": "group:yellow", "start-spot": "start-spot:right", "pocket": "pocket:bottom-right"}
+    for key in CHOICES:
+        label = ruling_text.option(keys.get(key, key))
+        assert text.fitted(label, 14, 184) == label
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_a_game_and_its_options_are_told_in_both_languages(game: str) -> None:
+    told = {}
+    for language in ("en", "de"):
+        words.speak(language)
+        told[language] = [ruling_text.title(game)]
+        for name, knob, _ in walk(GAMES[game].options_type()):
+            told[language] += [ruling_text.setting(name), ruling_text.setting_hint(game, name, knob.doc)]
+            assert (told[language][-1] == knob.doc) == (language == "en")
+    assert told["en"][0] == GAMES[game].title
+    # "Snooker" is what it is called in German, too.
+    assert (told["en"][0] == told["de"][0]) == (game == "snooker")
+
+
+@pytest.mark.parametrize("name", drills())
+def test_a_shipped_drill_is_told_in_german(name: str) -> None:
+    drill = load(name)
+    assert ruling_text.wording(drill) == (drill.name, drill.text)
+    words.speak("de")
+    german = ruling_text.wording(drill)
+    assert german.text.endswith(".") and german.text != drill.text
+    assert (german.name == drill.name) == (name == "line-up")
+
+
+def test_what_a_stroke_missed_is_told() -> None:
+    assert ruling_text.missed("") == ""
+    assert ruling_text.missed("wrong_first") == "The wrong ball was hit first."
+    english = {key: ruling_text.missed(key) for key in MISSES}
+    words.speak("de")
+    assert ruling_text.missed("wrong_first") == "Die falsche Kugel wurde zuerst getroffen."
+    assert all(ruling_text.missed(key) != english[key] for key in MISSES)
