@@ -64,13 +64,27 @@ class View(NamedTuple):
 
     def open(self, table: Table, place: Point, target: Disc) -> bool:
         """Whether a ball on can be hit at both its edges from a place."""
-        lines = _edges(place, target)
-        if not self.between:
-            return all(_open(line, self.others) or self._jaw_first(line) for line in lines)
-        if not all(_open(line, self.others) for line in lines):
+        lines = []
+        for line in _edges(place, target):
+            if not _open(line, self.others) and (self.between or not self._jaw_first(line)):
+                return False
+            lines.append(line)
+        if not self.between or not lines:
+            return True
+        jaws = self.beside(table, place)
+        return all(_open(line, jaws) for line in lines)
+
+    def partly_open(self, table: Table, place: Point, target: Disc) -> bool:
+        """Whether any part of a ball on can be hit from a place."""
+        if not _part_open(place, target, self.others):
             return False
-        pocket = mouth(table, place, self.edge) if lines and self.jaws else ""
-        return all(_open(line, [disc for name, disc in self.jaws if name == pocket]) for line in lines)
+        jaws = self.beside(table, place) if self.between else ()
+        return not jaws or _part_open(place, target, (*self.others, *jaws))
+
+    def beside(self, table: Table, place: Point) -> tuple[Disc, ...]:
+        """The jaws of the pocket between whose jaws a ball lies; none where it lies between none."""
+        pocket = mouth(table, place, self.edge) if self.jaws else ""
+        return tuple(disc for name, disc in self.jaws if name == pocket)
 
     def alone(self, other: Disc) -> View:
         """The view with only one ball in the way, and no jaws."""
@@ -135,10 +149,10 @@ def snookering(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> 
     return next((ball.id for ball in others if snookered(table, layout, cue, on, (ball.id,))), "")
 
 
-def sees(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> bool:
-    """Whether any part of a ball on can be hit in a straight line."""
-    targets, others = _discs(table, layout, cue, on)
-    return any(_part_open((cue.x, cue.y), target, others) for target in targets)
+def sees(table: Table, layout: Layout, cue: Ball, on: Collection[str], between: bool = False) -> bool:
+    """Whether any part of a ball on can be hit in a straight line; `between` as for `snookered`."""
+    seen = view(table, layout, cue, on, between=between)
+    return any(seen.partly_open(table, (cue.x, cue.y), target) for target in seen.targets)
 
 
 def sees_full(table: Table, layout: Layout, cue: Ball, on: Collection[str]) -> bool:
@@ -162,14 +176,15 @@ def _discs(
     return tuple(targets), tuple(others)
 
 
-def _edges(place: Point, target: Disc) -> tuple[Line, ...]:
+def _edges(place: Point, target: Disc) -> Iterator[Line]:
     """The two lines that graze a ball; none where the cue ball touches it."""
     far = _gap(place, target)
     if far <= target.touch + FROZEN:
-        return ()
+        return
     middle, half = _angle(place, target), math.asin(target.touch / far)
     length = math.sqrt(far * far - target.touch * target.touch)
-    return tuple(_line(place, middle + turn, length) for turn in (-half, half))
+    for turn in (-half, half):
+        yield _line(place, middle + turn, length)
 
 
 def _part_open(place: Point, target: Disc, others: Iterable[Disc]) -> bool:

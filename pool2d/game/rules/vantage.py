@@ -12,8 +12,9 @@ Places are right to a nanometre, and a ball may reach 0.1 um into a line without
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Iterator
-from itertools import combinations
+from collections.abc import Collection, Iterator
+from functools import cache
+from itertools import chain, combinations
 from typing import NamedTuple, TypeAlias
 
 from ...physics.detect import Jaw, Pocket, Rail
@@ -123,16 +124,17 @@ def vantage(
 ) -> Point | None:
     """A place in an area from which a cue ball in hand is not snookered (2.17 a); None where there is none."""
     area, seen = Area(table, layout, cue, where), view(table, layout, cue, on, between=between)
-    own = [place for place in _crossings(combinations(area.curves, 2)) if area.allows(place)]
+    own = [place for a, b in combinations(area.curves, 2) for place in _meet(a, b) if area.boxes(place)]
+    # Asked for one by one: the first that will do ends the search.
+    allowed = cache(area.allows)
     for target in seen.targets:
-        found = next((place for place in own if seen.open(table, place, target)), None)
+        found = next((place for place in own if allowed(place) and seen.open(table, place, target)), None)
         if found is not None:
             return found
     for target in seen.targets:
         lines = _grazing(area, seen, target)
-        pairs = (*combinations(lines, 2), *((line, curve) for line in lines for curve in area.curves))
-        for place in _crossings(pairs):
-            if area.boxes(place) and seen.open(table, place, target) and area.allows(place):
+        for place in chain(_crossings(area, lines), _touching(area, lines)):
+            if seen.open(table, place, target) and area.allows(place):
                 return place
     return None
 
@@ -196,13 +198,35 @@ def _common(ball: Disc, other: Disc) -> Iterator[Straight]:
                 yield Straight(nx, ny, nx * ball.x + ny * ball.y + ball.touch)
 
 
-def _crossings(pairs: Iterable[tuple[Curve, Curve]]) -> Iterator[Point]:
-    """The points where the curves of each pair meet."""
-    for a, b in pairs:
-        yield from _meet(a, b)
+def _crossings(area: Area, lines: list[Straight]) -> Iterator[Point]:
+    """The points in the box round the area where these lines cross each other and the straight ends of the area.
+
+    Where balls crowd there are thousands of pairs, of which few cross there: most are rejected by x alone.
+    """
+    every = [*lines, *(curve for curve in area.curves if isinstance(curve, Straight))]
+    left, low, right, high = area.box
+    left, low, right, high = left - HAIR, low - HAIR, right + HAIR, high + HAIR
+    for at, (ax, ay, far) in enumerate(lines):
+        for bx, by, other in every[at + 1 :]:
+            turn = ax * by - ay * bx
+            if turn and left <= (x := (far * by - other * ay) / turn) <= right:
+                y = (ax * other - bx * far) / turn
+                if low <= y <= high:
+                    yield x, y
+
+
+def _touching(area: Area, lines: list[Straight]) -> Iterator[Point]:
+    """The points in the box round the area where these lines meet the round ends of the area."""
+    discs = [curve for curve in area.curves if isinstance(curve, Disc)]
+    for line in lines:
+        nx, ny, far = line
+        for disc in discs:
+            if abs(far - nx * disc.x - ny * disc.y) <= disc.touch + HAIR:
+                yield from (place for place in _on_circle(disc, line) if area.boxes(place))
 
 
 def _meet(a: Curve, b: Curve) -> Iterator[Point]:
+    """The points where two curves meet."""
     if isinstance(a, Straight) and isinstance(b, Straight):
         turn = a.nx * b.ny - a.ny * b.nx
         if turn:

@@ -129,10 +129,13 @@ class EnglishEightBall(PoolRules[EnglishState]):
             yield Note("foul.no-hit")
         elif not touched and not set(report.first) & set(legal):
             yield Note("foul.wrong-ball", ball=report.first[0])
-        elif not self._moved(report, touched) and sees(
-            self.table, report.start, report.start[report.cue], [ball for ball in legal if ball in report.start]
-        ):
+        elif not self._moved(report, touched) and self._sees(report, legal):
             yield Note("foul.no-rail")
+
+    def _sees(self, report: Report, legal: tuple[str, ...]) -> bool:
+        """G (3), Q: whether this was no total snooker; a jaw makes one as a ball does."""
+        start = report.start
+        return sees(self.table, start, start[report.cue], [ball for ball in legal if ball in start], between=True)
 
     def _moved(self, report: Report, touched: bool) -> bool:
         """Whether a ball fell, left the table or met a cushion once a ball had been played."""
