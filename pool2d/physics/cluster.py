@@ -13,21 +13,24 @@ contacts scale), nor on the order of the balls, and a symmetric rack stays symme
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
 from .body import Body
-from .detect import Element
+from .detect import NOISE, Element
 from .energy import take_back
 from .laws.rebound import rebound
 from .params import Physics
-from .springs import STEPS, BallSpring, NoseSpring, Spring, damping
+from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, pace
 
 # An impact of balls is over long before this many times the duration of one; a guard, not a limit that is met.
 _LONGEST = 400
 # A ball that its own spin presses into a cushion could stay there as long as it spins. After this many times
 # the duration of a rebound that is no impact any more, and the cloth's friction has to be reckoned with.
-_HELD = 4
+_HELD = 2
+# How often the approaches of wedged balls are shared out.
+_ROUNDS = 100
 
 
 class Group(NamedTuple):
@@ -89,7 +92,7 @@ def solve(group: Group, speed: float, physics: Physics) -> tuple[list[BallSpring
     shortest, longest = min(spring.step for spring in springs), max(spring.step for spring in springs)
     time, end = 0.0, STEPS * longest * (_HELD if noses else _LONGEST)
     while time < end:
-        dt = shortest if shortest == longest else min([spring.pace(longest) for spring in springs])
+        dt = shortest if shortest == longest else min([pace(spring, longest) for spring in springs])
         for spring in springs:
             spring.press(dt)
         for spring in springs:
@@ -97,6 +100,42 @@ def solve(group: Group, speed: float, physics: Physics) -> tuple[list[BallSpring
         if time > dt and not any(spring.depth > 0.0 for spring in springs):
             break
         time += dt
+    else:
+        if noses:
+            _unjam(springs)
     met = {ball.index: ball for spring in springs if spring.met for ball in spring.balls}
     take_back(list(met.values()), math.fsum([before[index] for index in met]), any(nose.met for nose in noses))
     return [pair for pair in pairs if pair.met], [nose for nose in noses if nose.met]
+
+
+def _unjam(springs: list[Spring]) -> None:
+    """Take the approaches from contacts that are still closed when an impact's time is up: balls wedged in.
+
+    They have no restitution left. A ball that still goes into a cushion when its approaches have been shared out is
+    in a wedge and stops; what goes on into that ball is stopped by it.
+    """
+    held = [spring for spring in springs if spring.met]
+    _share_out(held)
+    wedged = {spring.ball.index for spring in held if isinstance(spring, NoseSpring) and spring.closing() > NOISE}
+    if wedged:
+        for ball in [ball for spring in held for ball in spring.balls if ball.index in wedged]:
+            ball.vx = ball.vy = 0.0
+        for spring in held:
+            if isinstance(spring, BallSpring):
+                spring.stop_at(wedged)
+
+
+def _share_out(held: list[Spring]) -> None:
+    """Let contacts give way until nothing approaches, all at once, each by a part that those of one ball share.
+
+    So their order is of no consequence.
+    """
+    counts = Counter(ball.index for spring in held for ball in spring.balls)
+    shares = [1.0 / max(counts[ball.index] for ball in spring.balls) for spring in held]
+    for _ in range(_ROUNDS):
+        closing = [spring.closing() for spring in held]
+        if max(closing, default=0.0) <= NOISE:
+            return
+        for spring, speed, share in zip(held, closing, shares, strict=True):
+            if speed > 0.0:
+                spring.part(share * speed)

@@ -8,6 +8,7 @@ and `act` gives it, so that all springs of a step see the same moment and their 
 from __future__ import annotations
 
 import math
+from collections.abc import Container
 from functools import cache
 from typing import TYPE_CHECKING, Protocol
 
@@ -42,8 +43,12 @@ class Spring(Protocol):
     @property
     def balls(self) -> tuple[Body, ...]: ...
 
-    def pace(self, longest: float) -> float:
-        """How long the next step of all may be, s, up to `longest`."""
+    def closing(self) -> float:
+        """How fast the two near each other, in plan, m/s."""
+        ...
+
+    def part(self, speed: float) -> None:
+        """Take `speed` off that, without friction, m/s."""
         ...
 
     def press(self, dt: float) -> None:
@@ -82,11 +87,8 @@ class BallSpring:
     def balls(self) -> tuple[Body, ...]:
         return self.a, self.b
 
-    def pace(self, longest: float) -> float:
-        return _pace(self, self._closing(), longest)
-
     def press(self, dt: float) -> None:
-        closing = self._closing()
+        closing = self.closing()
         self.depth = d = self.depth + closing * dt
         self.impulse = None
         if d <= 0.0:
@@ -101,9 +103,23 @@ class BallSpring:
         if self.impulse is not None:
             push(self.a, self.b, self.n, *self.impulse)
 
-    def _closing(self) -> float:
+    def closing(self) -> float:
         a, b, n = self.a, self.b, self.n
         return (a.vx - b.vx) * n[0] + (a.vy - b.vy) * n[1]
+
+    def part(self, speed: float) -> None:
+        a, b, n = self.a, self.b, self.n
+        along = speed / ((n[0] * n[0] + n[1] * n[1]) * (1.0 / a.mass + 1.0 / b.mass))
+        push(a, b, n, along, 0.0, 0.0, 0.0)
+
+    def stop_at(self, fixed: Container[int]) -> None:
+        """Take the approach from the ball that goes on into one whose index is among those that cannot move."""
+        speed = self.closing()
+        for ball, other, sign in ((self.a, self.b, 1.0), (self.b, self.a, -1.0)):
+            if speed > 0.0 and other.index in fixed and ball.index not in fixed:
+                size = math.hypot(self.n[0], self.n[1])
+                ball.vx -= sign * speed * self.n[0] / (size * size)
+                ball.vy -= sign * speed * self.n[1] / (size * size)
 
     def _rub(self, closing: float, along: float) -> tuple[float, float, float]:
         """The friction of a step: Coulomb's, or what ends the slip."""
@@ -147,8 +163,12 @@ class NoseSpring:
     def balls(self) -> tuple[Body, ...]:
         return (self.ball,)
 
-    def pace(self, longest: float) -> float:
-        return _pace(self, self.ball.vx * self.nx + self.ball.vy * self.ny, longest)
+    def closing(self) -> float:
+        return self.ball.vx * self.nx + self.ball.vy * self.ny
+
+    def part(self, speed: float) -> None:
+        self.ball.vx -= speed * self.nx
+        self.ball.vy -= speed * self.ny
 
     def press(self, dt: float) -> None:
         ball = self.ball
@@ -191,10 +211,11 @@ class NoseSpring:
         ball.wz += qz / ball.radius
 
 
-def _pace(spring: Spring, closing: float, longest: float) -> float:
-    """How long a step may be for a spring that closes at a speed, m/s."""
+def pace(spring: Spring, longest: float) -> float:
+    """How long the next step may be for the sake of a spring, s, up to `longest`."""
     if spring.depth > 0.0:
         return spring.step
+    closing = spring.closing()
     # Into the contact, not to its very edge, where rounding would tell whether it is closed.
     return min(longest, 0.5 * spring.step - spring.depth / closing) if closing > 0.0 else longest
 
