@@ -6,6 +6,7 @@ import pygame
 import pytest
 
 from pool2d import load_table
+from pool2d.draw import text
 from pool2d.errors import BudgetError
 from pool2d.game.session import practice
 from pool2d.ui.dialogs.list_page import Shelf
@@ -79,6 +80,10 @@ def test_a_line_of_a_menu_says_what_it_is_at_its_left() -> None:
 
     place = drawn("HHHH")
     assert abs(place.left - 26) <= 3 and abs(place.centery - 30) <= 3 and 15 < place.width < 100
+    # As large as a line of a menu is, and not cut before it fills its room of 268 pixels.
+    for label in ("HHHH", "H" * 19):
+        wide = text.font(18).size(label)[0]
+        assert wide <= 268 and abs(drawn(label).width - wide) <= 4
 
 
 class Empty(Shelf):
