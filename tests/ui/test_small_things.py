@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from pool2d import load_table
-from pool2d.draw import text
+from pool2d.draw import text, theme
 from pool2d.errors import BudgetError
 from pool2d.game.session import practice
 from pool2d.ui.dialogs.list_page import Shelf
@@ -84,6 +84,20 @@ def test_a_line_of_a_menu_says_what_it_is_at_its_left() -> None:
     for label in ("HHHH", "H" * 19):
         wide = text.font(18).size(label)[0]
         assert wide <= 268 and abs(drawn(label).width - wide) <= 4
+
+
+def test_the_marked_line_of_a_menu_is_lit_and_what_is_told_of_it_stands_below(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn = []
+    monkeypatch.setattr(
+        text, "draw", lambda surface, said, size, color, place, *more: drawn.append((said, color, place))
+    )
+    item = Item(Way(lambda: "A", lambda: None, lambda: ["b", "c"]), lambda entry: None)
+    item.rect = pygame.Rect(10, 10, 300, 80)
+    for item.here in (False, True):
+        item.draw(pygame.Surface((320, 120)), 8, False, False)
+    assert [color for said, color, _ in drawn if said == "A"] == [theme.TEXT, theme.ACCENT_LIT]
+    heights = [place[1] for _, _, place in drawn[:3]]
+    assert heights == sorted(heights) and heights[1] - heights[0] == heights[2] - heights[1] > 8
 
 
 class Empty(Shelf):
