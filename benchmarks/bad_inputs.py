@@ -144,7 +144,7 @@ class Inputs:
             recorder.play(Stroke(Shot(angle=0.5, speed=7.0), Call(push=False)))
             recorder.undo()
             recorder.redo()
-            recorder.play(Concede(match.ask.who))
+            recorder.play(Concede(match.ask.player))
         return path.read_bytes()
 
     def _condition(self, path: Path) -> int:

@@ -22,7 +22,7 @@ from typing import Any
 
 from pool2d import Shot, Table, load_table, simulate
 from pool2d.config.knobs import walk
-from pool2d.game.referee import read
+from pool2d.game.referee import observe
 from pool2d.game.rules import AIM, CHOOSE, GAMES, OVER, PLACE, Choice, Rules, Ruling, game, games_for, label, say
 from pool2d.game.rules.report import Call
 from pool2d.game.rules.spotting import may_place
@@ -77,7 +77,7 @@ def play(name: str, seed: int, strokes: int = STROKES) -> Result:
         if ask.kind == AIM:
             shot, call = stroke(table, ruling, rng)
             rollout = simulate(table, layout, shot)
-            report, layout = read(table, rollout, call, shot.ball), rollout.layout()
+            report, layout = observe(table, rollout, call, shot.ball), rollout.layout()
             result.strokes += 1
             begun = time.thread_time()
             ruling = rules.judge(state, layout, report)
@@ -161,8 +161,8 @@ def faults(rules: Rules[Any], ruling: Ruling) -> Iterator[str]:
         yield "no ball is on"
     if ask.kind == CHOOSE and not ask.options:
         yield "nothing can be chosen"
-    if not -1 <= ask.who < rules.players:
-        yield f"nobody is number {ask.who}"
+    if not -1 <= ask.player < rules.players:
+        yield f"nobody is number {ask.player}"
     if any(not text for text in (*(say(note) for note in ruling.notes), *(label(key) for key in ask.options))):
         yield "something is not said"
     if balls(layout) != balls(rules.start().layout):

@@ -33,7 +33,7 @@ from pool2d.game.setup import Setup
 from pool2d.ui.app import App
 from pool2d.ui.play.play import Play
 from pool2d.ui.replay.replay_scene import Replay
-from pool2d.ui.stage.bars import KeptBars
+from pool2d.ui.stage.bars import CachedBars
 from pool2d.ui.window import canvas
 from pool2d.ui.wording.keyboard import KEYBOARD, PLACES
 from pool2d.ui.wording.keys import CTRL, DEFAULTS
@@ -214,7 +214,7 @@ class Monkey:
                 return
             seen = pygame.image.tobytes(self.app.surface, "RGB")
             # Bars that are kept would say the same again.
-            scene.stage.bars = KeptBars()
+            scene.stage.bars = CachedBars()
             scene.draw(self.app.surface)
             assert pygame.image.tobytes(self.app.surface, "RGB") == seen, "something was left over on the window"
             self.compared += 1

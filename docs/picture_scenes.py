@@ -15,7 +15,7 @@ from pool2d.game.actions import Stroke
 from pool2d.game.drills.drill_file import load as load_drill
 from pool2d.game.match import Match
 from pool2d.game.records.record import load
-from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import record
 from pool2d.game.session import Session
 from pool2d.game.setup import LAG, Setup
@@ -233,7 +233,7 @@ def replay(hand: Hand, key: int = 0) -> None:
         for shot in (Shot(0.3, 9.0), Shot(62.0, 4.0), Shot(-30.0, 5.0), Shot(200.0, 4.5)):
             if match.ask.kind == "aim":
                 recorder.play(Stroke(shot))
-    shown = Replay(Reel(load(folder / "match.jsonl")), hand.play, hand.app.store, hand.app.sounds)
+    shown = Replay(RecordedShots(load(folder / "match.jsonl")), hand.play, hand.app.store, hand.app.sounds)
     hand.app.scene = shown
     run(hand, 1.0)
     if key:

@@ -22,7 +22,7 @@ def random_action(match: Match, rng: random.Random) -> Action:
     if ask.kind == OVER:
         return NextFrame()
     if rng.random() < 0.01:
-        return Concede(ask.who) if rng.random() < 0.5 else Stalemate()
+        return Concede(ask.player) if rng.random() < 0.5 else Stalemate()
     if match.setup.game == "practice" and len(ruling.layout.on_table()) < 2:
         return Arrange(match.table.rack(next(iter(match.table.furniture.racks)), rng.randrange(1000)))
     if ask.kind == AIM:

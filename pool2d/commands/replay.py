@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..errors import InputError
 from ..game.records.record import CHANGED, GONE, Record, load
-from ..game.records.replaying import BY_RECORD, Take, divergences, takes
+from ..game.records.replaying import BY_RECORD, RecordedShot, divergences, recorded_shots
 from . import terminal
 
 # Pictures of a film per second: a GIF counts in hundredths.
@@ -39,9 +39,9 @@ def check(path: Path) -> int:
     return 1
 
 
-def take_of(record: Record, number: int | None) -> Take:
+def take_of(record: Record, number: int | None) -> RecordedShot:
     """A stroke of a record by its number from 1; the last one without; raises InputError."""
-    found = takes(record)
+    found = recorded_shots(record)
     if not found:
         raise InputError(str(record.path), "", None, "no stroke was played")
     if number is not None and not 1 <= number <= len(found):
@@ -81,12 +81,12 @@ def tell(path: Path) -> int:
     """List the strokes of a record."""
     from ..game.rules import say
 
-    for take in takes(load(path)):
+    for take in recorded_shots(load(path)):
         notes = " ".join(say(note, take.match.names) for note in take.moment.ruling.notes)
         terminal.tell(f"{take.number:4}  {notes}{_otherwise(take)}")
     return 0
 
 
-def _otherwise(take: Take) -> str:
+def _otherwise(take: RecordedShot) -> str:
     """What is said of a stroke that would come out otherwise now."""
     return "" if take.found is None else f" ({take.found})"

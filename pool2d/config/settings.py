@@ -41,7 +41,7 @@ class Aiming:
 
 
 @dataclass(frozen=True, slots=True)
-class Screen:
+class ScreenSettings:
     """`width` and `height` of 0 leave the window's size to the screen it opens on."""
 
     language: str = words("auto", 12, "the language of the window; auto takes the system's")
@@ -64,7 +64,7 @@ class Players:
 
 
 @dataclass(frozen=True, slots=True)
-class Match:
+class MatchSettings:
     """What was agreed for the match before the next; names that stand for nothing any more are passed over."""
 
     game: str = words("", 400, "the game, and the options of its rules as name=value")
@@ -79,9 +79,9 @@ class Settings:
     aiming: Aiming = field(default_factory=Aiming)
     balls: Balls = field(default_factory=Balls)
     sound: Sound = field(default_factory=Sound)
-    screen: Screen = field(default_factory=Screen)
+    screen: ScreenSettings = field(default_factory=ScreenSettings)
     players: Players = field(default_factory=Players)
-    match: Match = field(default_factory=Match)
+    match: MatchSettings = field(default_factory=MatchSettings)
 
 
 class Store:

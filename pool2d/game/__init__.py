@@ -1,1 +1,55 @@
-"""What is played on a table, without a screen."""
+"""What is played on a table, without a screen.
+
+The names are fetched when they are first asked for, so that who needs one rule does not read them all.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .actions import Concede, NextFrame, Stroke
+    from .match import Match
+    from .referee import observe
+    from .rules import GAMES, game, games_for
+    from .rules.base import Ask, Choice, Rules, Ruling, State
+    from .rules.report import Call, Contact, Report
+    from .setup import Setup
+
+_HOMES = {
+    "actions": ("Concede", "NextFrame", "Stroke"),
+    "match": ("Match",),
+    "referee": ("observe",),
+    "rules": ("GAMES", "game", "games_for"),
+    "rules.base": ("Ask", "Choice", "Rules", "Ruling", "State"),
+    "rules.report": ("Call", "Contact", "Report"),
+    "setup": ("Setup",),
+}
+
+__all__ = [
+    "GAMES",
+    "Ask",
+    "Call",
+    "Choice",
+    "Concede",
+    "Contact",
+    "Match",
+    "NextFrame",
+    "Report",
+    "Rules",
+    "Ruling",
+    "Setup",
+    "State",
+    "Stroke",
+    "game",
+    "games_for",
+    "observe",
+]
+
+
+def __getattr__(name: str) -> Any:
+    for home, names in _HOMES.items():
+        if name in names:
+            return getattr(import_module("." + home, __name__), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..physics.detect import Pocket
-from ..physics.orientation import Quaternion, Turning, product, turn
+from ..physics.orientation import BallRotation, Quaternion, product, turn
 from ..physics.rollout import Event, Rollout
 
 # How long a ball takes from the rim out of sight, s.
@@ -23,10 +23,10 @@ class Fall(NamedTuple):
     x: float
     y: float
     depth: float
-    lie: Quaternion
+    orientation: Quaternion
 
 
-def falling(rollout: Rollout, turning: Turning, pockets: Sequence[Pocket], t: float) -> list[Fall]:
+def falling(rollout: Rollout, turning: BallRotation, pockets: Sequence[Pocket], t: float) -> list[Fall]:
     """The balls on their way down `t` seconds into the shot, which may be past its end; the lowest first."""
     holes = {pocket.name: pocket for pocket in pockets}
     return [
@@ -56,11 +56,11 @@ def _drops(rollout: Rollout) -> list[Event]:
     return [event for event in rollout.events if event.kind == "ball_pocket"]
 
 
-def _fall(event: Event, hole: Pocket, turning: Turning, s: float) -> Fall:
+def _fall(event: Event, hole: Pocket, turning: BallRotation, s: float) -> Fall:
     """A ball `s` seconds after it came over the rim: it slows toward the middle of the hole, and turns on."""
     ball = event.before[event.balls[0]]
     way, speed = math.dist((ball.x, ball.y), (hole.x, hole.y)), math.hypot(ball.vx, ball.vy)
     over = min(max(2.0 * way / speed if speed > 0.0 else math.inf, _OVER[0]), _OVER[1])
     part = 1.0 - max(0.0, 1.0 - s / over) ** 2
-    lie = product(turn(s * ball.wx, s * ball.wy, s * ball.wz), turning.at(ball.id, event.t))
-    return Fall(ball.id, ball.x + part * (hole.x - ball.x), ball.y + part * (hole.y - ball.y), s / DROP, lie)
+    orientation = product(turn(s * ball.wx, s * ball.wy, s * ball.wz), turning.at(ball.id, event.t))
+    return Fall(ball.id, ball.x + part * (hole.x - ball.x), ball.y + part * (hole.y - ball.y), s / DROP, orientation)

@@ -16,7 +16,7 @@ from ..physics.simulate import simulate
 from ..physics.values import Layout
 from ..table.table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
-from .referee import read
+from .referee import observe
 from .rules import AIM, OVER, Ask, Choice, Rules, Ruling, State, game
 from .rules.lag import Lag, LagState
 from .rules.pool.pool import PoolRules
@@ -202,12 +202,12 @@ class Match:
             raise InputError("match", "shot.ball", stroke.shot.ball, allowed)
         _check_call(stroke.call, ask, self.table)
         rollout = simulate(self.table, now.layout, stroke.shot)
-        report = read(self.table, rollout, stroke.call, stroke.shot.ball)
+        report = observe(self.table, rollout, stroke.call, stroke.shot.ball)
         ruling = self._judge.judge(now.state, rollout.layout(), report)
         if lagged(now.state):
-            return Moment(ruling, now.tallies, now.breaker, now.frame, ask.who, stroke, rollout)
-        tallies = after_stroke(now.tallies, ask.who, now.shooter == ask.who, self.rules, ruling, report)
-        return self._moment(Moment(ruling, tallies, now.breaker, now.frame, ask.who, stroke, rollout, report))
+            return Moment(ruling, now.tallies, now.breaker, now.frame, ask.player, stroke, rollout)
+        tallies = after_stroke(now.tallies, ask.player, now.shooter == ask.player, self.rules, ruling, report)
+        return self._moment(Moment(ruling, tallies, now.breaker, now.frame, ask.player, stroke, rollout, report))
 
     def _moment(self, moment: Moment) -> Moment:
         """The moment with a frame counted that has just ended."""

@@ -7,7 +7,7 @@ import random
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
-from ..physics.orientation import Quaternion, Turning, product, turn
+from ..physics.orientation import BallRotation, Quaternion, product, turn
 from ..physics.rollout import Rollout
 from ..physics.values import POCKETED, Layout
 from .actions import Arrange, NextFrame, Stalemate
@@ -18,14 +18,14 @@ from .match import Moment
 _TILT, _SKEW = 0.75, 1.1
 
 
-class Lying(NamedTuple):
+class BallStates(NamedTuple):
     """How each ball lies, and the pocketed balls in the order of their fall."""
 
-    lies: dict[str, Quaternion]
-    down: list[str]
+    orientations: dict[str, Quaternion]
+    pocketed: list[str]
 
 
-class Keeper:
+class OrientationTracker:
     """Carries from shot to shot how the balls lie and in which order they fell.
 
     A shot is a value, and so is how its balls turn: it starts from where the shot shown before it ended,
@@ -35,9 +35,9 @@ class Keeper:
     def __init__(self) -> None:
         self._shots: WeakKeyDictionary[Rollout, _Shot] = WeakKeyDictionary()
         self._shown: _Shot | None = None
-        self._racked: tuple[Layout, Lying] | None = None
+        self._racked: tuple[Layout, BallStates] | None = None
 
-    def lying(self, layout: Layout, rollout: Rollout | None = None, t: float = math.inf) -> Lying:
+    def states(self, layout: Layout, rollout: Rollout | None = None, t: float = math.inf) -> BallStates:
         """The balls of `layout`, to which `rollout` has led `t` seconds after its start."""
         if rollout is None:
             return self._rack(layout)
@@ -45,68 +45,68 @@ class Keeper:
         if shot is None:
             before = self._before(rollout.start)
             shot = self._shots[rollout] = _Shot(
-                Turning(rollout, before.lies), before.down, fallen(rollout), rollout.layout()
+                BallRotation(rollout, before.orientations), before.pocketed, fallen(rollout), rollout.layout()
             )
         self._shown = shot
         pocketed = _pocketed(layout)
         down = [ball for ball in shot.before + fallen(rollout, t) if ball in pocketed]
-        return Lying(shot.turning.lies(t), down)
+        return BallStates(shot.turning.orientations(t), down)
 
     def follow(self, before: Moment, rollout: Rollout, last: Moment | None) -> None:
         """Let the balls of a stroke, played from the moment `before`, lie as the `last` stroke, if any, left them."""
         if last is not None and last.rollout is not None:
-            self.lying(last.rollout.start, last.rollout)
+            self.states(last.rollout.start, last.rollout)
         racked = last is None or before.state.racks != last.state.racks
         if racked or isinstance(before.action, NextFrame | Arrange | Stalemate):
-            self.lying(rollout.start)
-        self.lying(rollout.start, rollout)
+            self.states(rollout.start)
+        self.states(rollout.start, rollout)
 
-    def turning(self, rollout: Rollout) -> Turning:
+    def rotation(self, rollout: Rollout) -> BallRotation:
         """How the balls of a shot that has been shown turn."""
         return self._shots[rollout].turning
 
-    def _before(self, start: Layout) -> Lying:
+    def _before(self, start: Layout) -> BallStates:
         """How the balls lie where a shot starts that was not shown before."""
-        lies, down = racked(start), []
+        orientations, down = racked_orientations(start), []
         if self._shown is not None:
-            lies |= self._shown.turning.lies(math.inf)
+            orientations |= self._shown.turning.orientations(math.inf)
             down = self._shown.before + self._shown.fallen
         elif self._racked is not None:
-            lies |= self._racked[1].lies
-        return Lying(lies, _order(down, start))
+            orientations |= self._racked[1].orientations
+        return BallStates(orientations, _order(down, start))
 
-    def _rack(self, layout: Layout) -> Lying:
+    def _rack(self, layout: Layout) -> BallStates:
         shot, self._shown = self._shown, None
         if shot is not None:
-            self._racked = shot.end, Lying(shot.turning.lies(math.inf), shot.before + shot.fallen)
+            self._racked = shot.end, BallStates(shot.turning.orientations(math.inf), shot.before + shot.fallen)
         if self._racked is None or self._racked[0] is not layout:
-            lies, known = racked(layout), []
+            orientations, known = racked_orientations(layout), []
             if self._racked is not None and _moved(self._racked[0], layout) <= 1:
                 # No new rack: a hand has moved a ball, and does not turn it.
-                lies |= self._racked[1].lies
-                known = self._racked[1].down
-            self._racked = layout, Lying(lies, _order(known, layout))
+                orientations |= self._racked[1].orientations
+                known = self._racked[1].pocketed
+            self._racked = layout, BallStates(orientations, _order(known, layout))
         return self._racked[1]
 
 
 class _Shot(NamedTuple):
     """How a shot's balls turn, the balls that were down before it in order, those that fell, and how it ended."""
 
-    turning: Turning
+    turning: BallRotation
     before: list[str]
     fallen: list[str]
     end: Layout
 
 
-def racked(layout: Layout) -> dict[str, Quaternion]:
+def racked_orientations(layout: Layout) -> dict[str, Quaternion]:
     """How the balls of a rack lie: askew, their numbers mostly to be seen; the same for the same rack."""
-    lies = {}
+    orientations = {}
     for ball in layout.values():
         rng = random.Random(f"{ball.id} {ball.x!r} {ball.y!r}")
         skew, way = rng.gauss(0.0, _SKEW), math.tau * rng.random()
         tilt = _TILT * math.sqrt(rng.random())
-        lies[ball.id] = product(turn(tilt * math.cos(way), tilt * math.sin(way), 0.0), turn(0.0, 0.0, skew))
-    return lies
+        orientations[ball.id] = product(turn(tilt * math.cos(way), tilt * math.sin(way), 0.0), turn(0.0, 0.0, skew))
+    return orientations
 
 
 def _order(known: list[str], layout: Layout) -> list[str]:

@@ -27,7 +27,7 @@ TIP_TIME = 1e-3
 GRAZED = math.cos(math.radians(30.0))
 
 
-def read(table: Table, rollout: Rollout, call: Call | None = None, cue: str = "") -> Report:
+def observe(table: Table, rollout: Rollout, call: Call | None = None, cue: str = "") -> Report:
     """The report of a whole shot; `cue` is the ball that was struck, the table's cue ball where not given."""
     return _Reader(table, rollout, cue or table.furniture.cue).report(call or Call())
 

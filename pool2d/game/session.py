@@ -49,7 +49,7 @@ class Session:
         return self.match.ask
 
     @property
-    def free(self) -> bool:
+    def is_practice(self) -> bool:
         """Whether this is practice: balls may be arranged and the table tuned."""
         return self.match.setup.game == PRACTICE
 
@@ -81,7 +81,7 @@ class Session:
     def given(self) -> bool:
         """Whether a foul has given the cue ball, which lies on the table, into the hand, and nobody has put it down."""
         now = self.match.now
-        played = not self.free and self.match.state.shots > 0 and not placing(now)
+        played = not self.is_practice and self.match.state.shots > 0 and not placing(now)
         return played and self.ask.kind == AIM and self.movable
 
     @property
@@ -186,7 +186,7 @@ class Session:
 
         Raises InputError, changing nothing, where the balls do not fit, or in a match.
         """
-        if not self.free:
+        if not self.is_practice:
             raise InputError("table", "", None, "the table stays as it is for the length of a match")
         self.match.change_table(table)
 

@@ -29,12 +29,12 @@ class Tally:
 
 
 def after_stroke(
-    tallies: tuple[Tally, ...], who: int, again: bool, rules: Rules[Any], ruling: Ruling, report: Report
+    tallies: tuple[Tally, ...], player: int, again: bool, rules: Rules[Any], ruling: Ruling, report: Report
 ) -> tuple[Tally, ...]:
-    """The tallies after a stroke of player `who`; `again` where the visit goes on."""
-    mine = tallies[who]
-    pots = len(rules.pots(who, report, ruling))
-    counted = ruling.points[who] if rules.scored else pots
+    """The tallies after a stroke of `player`; `again` where the visit goes on."""
+    mine = tallies[player]
+    pots = len(rules.pots(player, report, ruling))
+    counted = ruling.points[player] if rules.scored else pots
     run = (mine.run if again else 0) + counted if counted > 0 and not ruling.foul else 0
     mine = replace(
         mine,
@@ -45,7 +45,7 @@ def after_stroke(
         run=run,
         best=max(mine.best, run),
     )
-    changed = (*tallies[:who], mine, *tallies[who + 1 :])
+    changed = (*tallies[:player], mine, *tallies[player + 1 :])
     return tuple(replace(tally, points=tally.points + won) for tally, won in zip(changed, ruling.points, strict=True))
 
 

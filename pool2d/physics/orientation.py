@@ -66,7 +66,7 @@ def matrix(q: Quaternion) -> tuple[Vector, Vector, Vector]:
     )
 
 
-class Turning:
+class BallRotation:
     """The orientation of every ball of a rollout; `start` gives it at the beginning, else it is FACING."""
 
     def __init__(self, rollout: Rollout, start: Mapping[str, Quaternion]) -> None:
@@ -83,7 +83,7 @@ class Turning:
             way = self._ways[ball_id] = _Way(track, self._duration, self._start[ball_id])
         return way.at(min(max(t, 0.0), self._duration))
 
-    def lies(self, t: float) -> dict[str, Quaternion]:
+    def orientations(self, t: float) -> dict[str, Quaternion]:
         """How all balls lie `t` seconds into the shot."""
         return {ball_id: self.at(ball_id, t) for ball_id in self._start}
 

@@ -17,7 +17,7 @@ _PAIRS = 4
 _FALL = 1.4
 
 
-class Heard(NamedTuple):
+class Impact(NamedTuple):
     """A sound: its kind (see `synth.KINDS`), the speed of the contact, m/s, and its x on the table, m."""
 
     kind: str
@@ -25,7 +25,7 @@ class Heard(NamedTuple):
     x: float
 
 
-def heard(rollout: Rollout, t0: float, t1: float) -> list[Heard]:
+def impacts(rollout: Rollout, t0: float, t1: float) -> list[Impact]:
     """The sounds of the events in (t0, t1]: none where time stands, runs backward or jumps.
 
     The stroke is at 0, so a `t0` below 0 hears it.
@@ -37,19 +37,19 @@ def heard(rollout: Rollout, t0: float, t1: float) -> list[Heard]:
     return [sound for event in events[first:last] for sound in _sounds(event)]
 
 
-def _sounds(event: Event) -> list[Heard]:
+def _sounds(event: Event) -> list[Impact]:
     if event.pairs or event.rails:
         return [*_balls(event), *_cushions(event)]
     if event.kind == "cue_ball":
         ball = event.after[event.balls[0]]
-        return [Heard(event.where or "cue", math.hypot(ball.vx, ball.vy), ball.x)]
+        return [Impact(event.where or "cue", math.hypot(ball.vx, ball.vy), ball.x)]
     if event.kind == "ball_pocket":
         ball = event.before[event.balls[0]]
-        return [Heard("drop", math.hypot(ball.vx, ball.vy, _FALL), ball.x), Heard("back", 1.0, ball.x)]
+        return [Impact("drop", math.hypot(ball.vx, ball.vy, _FALL), ball.x), Impact("back", 1.0, ball.x)]
     return []
 
 
-def _balls(event: Event) -> list[Heard]:
+def _balls(event: Event) -> list[Impact]:
     """A knock for each pair of balls that touched, at most a few.
 
     It is as hard as the faster of their approach and half of what changed of it: the second is what
@@ -60,16 +60,16 @@ def _balls(event: Event) -> list[Heard]:
     for one, other in event.pairs:
         a, b = before[one], before[other]
         approach, change = _approach(a, b), _approach(a, b) - _approach(after[one], after[other])
-        sounds.append(Heard("ball", max(approach, 0.5 * change, 0.0), 0.5 * (a.x + b.x)))
+        sounds.append(Impact("ball", max(approach, 0.5 * change, 0.0), 0.5 * (a.x + b.x)))
     sounds.sort(key=lambda sound: -sound.speed)
     return sounds[:_PAIRS]
 
 
-def _cushions(event: Event) -> list[Heard]:
+def _cushions(event: Event) -> list[Impact]:
     """A thud for each ball that met a cushion, be it two at once."""
     before, after = event.before, event.after
     met = dict.fromkeys(name for name, _ in event.rails)
-    return [Heard("cushion", _blow(before[name], after[name]), before[name].x) for name in met]
+    return [Impact("cushion", _blow(before[name], after[name]), before[name].x) for name in met]
 
 
 def _approach(a: Ball, b: Ball) -> float:

@@ -20,7 +20,7 @@ import pygame
 from ..physics.rollout import Rollout
 from ..table.table import Table
 from . import synth
-from .impacts import Heard, heard
+from .impacts import Impact, impacts
 
 # How loud a kind is at the most, and the speed at which it is, m/s.
 _LOUDNESS = {
@@ -71,9 +71,9 @@ class Sounds:
     def play_events(self, table: Table, rollout: Rollout, t0: float, t1: float) -> None:
         """Play what happens in (t0, t1] of a rollout; nothing where time runs backward or jumps."""
         if self._made:
-            self.play(heard(rollout, t0, t1), table.knobs.table.length)
+            self.play(impacts(rollout, t0, t1), table.knobs.table.length)
 
-    def play(self, sounds: list[Heard], length: float = 1.0) -> None:
+    def play(self, sounds: list[Impact], length: float = 1.0) -> None:
         """Start the loudest of these that the limit allows; `length` is that of their table, m."""
         if self.muted:
             return
@@ -91,11 +91,11 @@ class Sounds:
 
     def chalk(self) -> None:
         """The tip is chalked."""
-        self.play([Heard("chalk", 1.0, 0.5)])
+        self.play([Impact("chalk", 1.0, 0.5)])
 
     def click(self) -> None:
         """A control of the window was used."""
-        self.play([Heard("click", 1.0, 0.5)])
+        self.play([Impact("click", 1.0, 0.5)])
 
     def mute(self, muted: bool) -> None:
         """Be silent, at once, or sound again."""
@@ -111,7 +111,7 @@ class Sounds:
             pygame.mixer.quit()
         self._open = None
 
-    def _start(self, sound: Heard, sides: list[float]) -> bool:
+    def _start(self, sound: Impact, sides: list[float]) -> bool:
         """Play a variant of the speed that is nearest; False where it is not made yet, or all channels are busy."""
         speeds = self._made.get(sound.kind)
         if not speeds:
@@ -126,7 +126,7 @@ class Sounds:
         return True
 
 
-def loudness(sound: Heard) -> float:
+def loudness(sound: Impact) -> float:
     """How loud a sound is played, 0 to 1."""
     most, speed = _LOUDNESS[sound.kind]
     return most * math.pow(min(sound.speed / speed, 1.0), _POWER)

@@ -30,7 +30,7 @@ _MOST_NAMES = 250
 _LONGEST_NAME = 40
 
 
-def furnish(data: Mapping[str, Any], length: float, width: float, source: str) -> Furniture:
+def read_furniture(data: Mapping[str, Any], length: float, width: float, source: str) -> Furniture:
     """The furniture that a preset's sections describe, for a table of that size in m.
 
     A table without a head spot gets one, and a table without a rack one of the cue ball alone.

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from ..config.knobs import Knob
 from ..errors import InputError
-from ..physics.detect import Pocket
+from ..physics.detect import Element, Pocket
 from ..physics.values import MOTION_FIELDS, POCKETED, Ball, Layout
-
-if TYPE_CHECKING:
-    from .table import Table
+from .table_knobs import Knobs
 
 # Balls drawn this much into each other or into a cushion, m, are set apart: numbers get rounded on
 # their way through files. More is an error.
@@ -42,6 +40,25 @@ RANGES: dict[str, Knob] = {
 }
 
 
+class Bed(Protocol):
+    """What a table answers to who would put balls on it; see `table.Table`."""
+
+    source: str
+    knobs: Knobs
+
+    def body_of(self, ball: Ball) -> tuple[float, float]: ...
+
+    def near(self, left: float, bottom: float, right: float, top: float) -> list[int]: ...
+
+    def touch(self, a: Ball, b: Ball) -> float: ...
+
+    def reach(self, radius: float) -> float: ...
+
+    def on_cloth(self, x: float, y: float) -> bool: ...
+
+    def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]: ...
+
+
 def check_id(name: object, source: str, key: str) -> str:
     """A ball's id; raises InputError for one that nobody could read or tell from another."""
     if not isinstance(name, str) or not name.isprintable() or name.strip() != name or not 0 < len(name) <= _LONGEST_ID:
@@ -50,7 +67,7 @@ def check_id(name: object, source: str, key: str) -> str:
     return name
 
 
-def settle(table: Table, layout: Layout) -> Layout:
+def settle(table: Bed, layout: Layout) -> Layout:
     """The layout with its balls exactly where they may stand.
 
     Raises InputError for a number out of range, a ball off the table, in a pocket or a cushion, and
@@ -69,7 +86,7 @@ def settle(table: Table, layout: Layout) -> Layout:
     return layout if apart else layout.put(*_set_apart(table, given, close))
 
 
-def mirrored(table: Table, layout: Layout, ends: bool = False) -> Layout:
+def mirrored(table: Bed, layout: Layout, ends: bool = False) -> Layout:
     """The layout seen in a mirror: its sides swapped, or its ends.
 
     Raises InputError where the table is not as symmetric.
@@ -86,7 +103,7 @@ def _at_rest(ball: Ball) -> Ball:
     return ball.still()._replace(phase=POCKETED) if ball.phase == POCKETED else ball.still()
 
 
-def _check(table: Table, ball: Ball) -> float:
+def _check(table: Bed, ball: Ball) -> float:
     """The room between a ball and the nearest element, m; raises InputError where the ball may not stand."""
     source = table.source
     for name in MOTION_FIELDS:
@@ -114,7 +131,7 @@ def _check(table: Table, ball: Ball) -> float:
     return gap
 
 
-def _overlap(table: Table, a: Ball, b: Ball) -> float:
+def _overlap(table: Bed, a: Ball, b: Ball) -> float:
     """How far two balls are drawn into each other; raises InputError where that is more than rounding."""
     overlap = table.touch(a, b) - math.hypot(a.x - b.x, a.y - b.y)
     if overlap > 2.0 * SLACK:
@@ -123,7 +140,7 @@ def _overlap(table: Table, a: Ball, b: Ball) -> float:
     return overlap
 
 
-def _neighbours(table: Table, balls: Sequence[Ball]) -> Iterator[list[int]]:
+def _neighbours(table: Bed, balls: Sequence[Ball]) -> Iterator[list[int]]:
     """For each ball the earlier ones that it may come to touch while balls are set apart, by their places."""
     cell = _REACH + max((2.0 * table.body_of(ball)[0] for ball in balls), default=0.0)
     cells: dict[tuple[int, int], list[int]] = {}
@@ -135,7 +152,7 @@ def _neighbours(table: Table, balls: Sequence[Ball]) -> Iterator[list[int]]:
         cells.setdefault((column, row), []).append(i)
 
 
-def _set_apart(table: Table, given: Sequence[Ball], close: Sequence[Sequence[int]]) -> list[Ball]:
+def _set_apart(table: Bed, given: Sequence[Ball], close: Sequence[Sequence[int]]) -> list[Ball]:
     """The balls that had to move out of what they were drawn a hair into, where they are then.
 
     Setting one pair apart presses the next; a rack settles in some tens of rounds. Raises InputError where
@@ -158,13 +175,13 @@ def _set_apart(table: Table, given: Sequence[Ball], close: Sequence[Sequence[int
     raise InputError(table.source, "balls", ids, f"the balls overlap and {what}")
 
 
-def _walled(table: Table, ball: Ball) -> bool:
+def _walled(table: Bed, ball: Ball) -> bool:
     """Whether a cushion is so near that the ball may be pressed into it."""
     far = table.body_of(ball)[0] + _REACH
     return bool(table.near(ball.x - far, ball.y - far, ball.x + far, ball.y + far))
 
 
-def _out_of_the_wall(table: Table, ball: Ball, x: list[float], y: list[float], i: int) -> bool:
+def _out_of_the_wall(table: Bed, ball: Ball, x: list[float], y: list[float], i: int) -> bool:
     """Move ball number i out of the cushion that it was drawn into; whether it had to move."""
     gap, element = table.element_gap(x[i], y[i], table.body_of(ball)[0])
     if gap >= -CLOSE or element is None or isinstance(element, Pocket):

@@ -18,7 +18,7 @@ from ..config.knobs import apply, walk
 from ..config.reader import line_of, read_toml
 from ..errors import InputError, suggest
 from .furniture import Furniture
-from .furniture_file import SECTIONS, furnish
+from .furniture_file import SECTIONS, read_furniture
 from .table import Table
 from .table_knobs import Knobs
 
@@ -109,7 +109,7 @@ def read_preset(name: str, conditions: Sequence[str] = ()) -> Preset:
                 merged[key] = value
                 origins[key] = source
     try:
-        furniture = furnish(merged, knobs.table.length, knobs.table.width, name)
+        furniture = read_furniture(merged, knobs.table.length, knobs.table.width, name)
     except InputError as error:
         # What is wrong may stand in a base.
         raise error.at(_origin(error.key, origins) or name) from None

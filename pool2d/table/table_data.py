@@ -1,6 +1,6 @@
 """A table as plain data, whole: every knob and all furniture, so that it needs no preset to be built again.
 
-The furniture is told in a preset's own sections, which `furnish` reads and checks; nothing is left to a base.
+The furniture is told in a preset's own sections, which `read_furniture` reads and checks; nothing is left to a base.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 from ..config.knobs import apply, walk
 from ..errors import InputError, suggest
 from .furniture import Furniture, Rack
-from .furniture_file import SECTIONS, furnish
+from .furniture_file import SECTIONS, read_furniture
 from .outline import Corner
 from .table import Table
 from .table_knobs import Knobs
@@ -60,7 +60,7 @@ def table_of(data: Mapping[str, Any], source: str) -> Table:
         if name not in (*SECTIONS, "outline"):
             raise InputError(source, f"table.furniture.{name}", section, suggest(name, (*SECTIONS, "outline")))
     knobs = apply(Knobs(), data["knobs"], source)
-    furniture = furnish(data["furniture"], knobs.table.length, knobs.table.width, source)
+    furniture = read_furniture(data["furniture"], knobs.table.length, knobs.table.width, source)
     try:
         return Table(data["name"], data["title"], knobs, furniture, data["set"], data["conditions"])
     except InputError as error:

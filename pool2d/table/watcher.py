@@ -12,7 +12,7 @@ from .table import Table
 WATCH = 0.5
 
 
-class Watched:
+class PresetWatcher:
     """The files behind a table, and whether one has changed since they were last looked at."""
 
     def __init__(self, table: Table) -> None:

@@ -19,11 +19,11 @@ from ..printable import printable
 from ..sound.mixer import Sounds
 from ..table.preset import load_table
 from ..table.table import Table
-from ..table.watcher import WATCH, Watched
-from .dialogs.dialog import Dialog, ground
+from ..table.watcher import WATCH, PresetWatcher
+from .dialogs.dialog import Dialog, bottom_scene
 from .dialogs.help import Help
-from .dialogs.options import OFFERED, Options
-from .menus.drill_list import DrillShelf
+from .dialogs.options import OFFERED, OptionsPage
+from .menus.drill_list import DrillList
 from .menus.lobby import Lobby
 from .menus.menu import Menu
 from .play.play import Play
@@ -70,11 +70,11 @@ class App:
         self.toasts = Toasts()
         # What keys open over the table and over the menus alike.
         self._pages: dict[str | None, Callable[[Scene], Scene]] = {
-            "options": lambda below: Options(below, self.store),
-            "drills": lambda below: DrillShelf(below, self.play),
+            "options": lambda below: OptionsPage(below, self.store),
+            "drills": lambda below: DrillList(below, self.play),
             "help": Help,
         }
-        self._files = Watched(table)
+        self._files = PresetWatcher(table)
         self._came: list[pygame.event.Event] = []
         self._unsaved = 0.0
         # Whether what rests on the screen has been drawn as it rests.
@@ -244,7 +244,7 @@ class App:
 
     def _name(self) -> None:
         """Name the window after the table that is seen."""
-        seen = ground(self.scene) if self.scene is not None else None
+        seen = bottom_scene(self.scene) if self.scene is not None else None
         # What is played on, also before it is drawn for the first time.
         played = seen if isinstance(seen, Play) else self.play
         table = seen.stage.table if isinstance(seen, Replay) else played.session.table
@@ -315,11 +315,11 @@ class App:
 
         A match or a drill keeps its table; what has changed meanwhile is taken in practice after it.
         """
-        if not self.play.session.free:
+        if not self.play.session.is_practice:
             return
         table = self.play.session.table
         if (table.source, table.conditions) != self._files.behind:
-            self._files = Watched(table)
+            self._files = PresetWatcher(table)
             self.play.warning = ""
         if self._files.changed(dt):
             self.redraw()

@@ -50,17 +50,17 @@ def replay(path: Path, number: int | None = None, frames: int | None = None) -> 
     """
     with _opened(frames) as (splash, store, size):
         from ..game.records.record import load
-        from ..game.records.recorded_shots import Reel
+        from ..game.records.recorded_shots import RecordedShots
         from .app import App
         from .replay.replay_scene import Replay
 
         splash.tell(0.4)
-        reel = Reel(load(path, torn=True))
-        if number is not None and not 1 <= number <= len(reel):
-            raise InputError("command line", "--shot", number, f"allowed is 1 to {len(reel)}")
+        shots = RecordedShots(load(path, torn=True))
+        if number is not None and not 1 <= number <= len(shots):
+            raise InputError("command line", "--shot", number, f"allowed is 1 to {len(shots)}")
         splash.tell(0.7)
-        app = App(reel[0].match.table, 0, size, store, splash.surface)
-        shown = Replay(reel, None, store, app.sounds)
+        app = App(shots[0].match.table, 0, size, store, splash.surface)
+        shown = Replay(shots, None, store, app.sounds)
         shown.go((number or 1) - 1)
         app.scene = shown
         splash.tell(1.0)

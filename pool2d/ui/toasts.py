@@ -18,7 +18,7 @@ _LONGEST = 400
 
 
 @dataclass(slots=True)
-class Note:
+class Toast:
     """What is said, whether something is wrong, and for how long it has been in sight, s."""
 
     words: str
@@ -41,7 +41,7 @@ class Toasts:
     """The notes in sight, the oldest on top, and those that wait. `still` ones appear without sliding."""
 
     def __init__(self) -> None:
-        self.notes: list[Note] = []
+        self.notes: list[Toast] = []
         self.still = False
 
     def say(self, words: str, wrong: bool = False) -> None:
@@ -51,7 +51,7 @@ class Toasts:
             if note.words == words:
                 note.age = min(note.age, _SLIDE)
                 return
-        self.notes.append(Note(words, wrong))
+        self.notes.append(Toast(words, wrong))
 
     def update(self, dt: float) -> None:
         for note in self.notes[:_MOST]:
@@ -65,7 +65,7 @@ class Toasts:
             part = 1.0 if self.still else note.sight
             y += part * (self._draw(surface, screen, note, round(y), part) + screen.unit)
 
-    def _draw(self, surface: pygame.Surface, screen: Screen, note: Note, y: int, part: float) -> int:
+    def _draw(self, surface: pygame.Surface, screen: Screen, note: Toast, y: int, part: float) -> int:
         """Draw one note, come in so far; returns its height."""
         unit, size = screen.unit, screen.small
         lines = text.wrap(note.words, size, min(64 * unit, screen.width - 8 * unit))

@@ -26,11 +26,11 @@ SNOOKER = ("red", "yellow", "green", "brown", "blue", "pink", "black", "white")
 
 
 def drawn(
-    look: Look, lie: Quaternion = FACING, radius: float = 30.0, style: Style = theme.PLAIN, alpha: int = 255
+    look: Look, orientation: Quaternion = FACING, radius: float = 30.0, style: Style = theme.PLAIN, alpha: int = 255
 ) -> pygame.Surface:
     side = round(2.0 * radius) + 20
     picture = pygame.Surface((side, side))
-    placed = ball_art.Placed(look, (side // 2, side // 2), radius, lie, alpha, shadow=False)
+    placed = ball_art.Placed(look, (side // 2, side // 2), radius, orientation, alpha, shadow=False)
     ball_art.draw_all(picture, [placed], style)
     return picture
 
@@ -47,8 +47,8 @@ def test_a_spot_goes_where_the_ball_turns_it() -> None:
     look = Look("#101010", number="8")
     middle = 40
 
-    def white(lie: Quaternion, x: int, y: int) -> bool:
-        return brightest(drawn(look, lie), middle + x, middle + y) > 100.0
+    def white(orientation: Quaternion, x: int, y: int) -> bool:
+        return brightest(drawn(look, orientation), middle + x, middle + y) > 100.0
 
     # Beside the digit on the spot, which is 15 pixels wide to each side.
     assert white(FACING, 13, 0)
@@ -93,20 +93,20 @@ def test_many_balls_drawn_together_look_as_each_alone() -> None:
 @pytest.mark.parametrize("radius", [3.0, 10.75, 33.0, 60.0])
 @pytest.mark.parametrize("ball", ["cue", "6", "8", "12"])
 def test_a_ball_looked_up_looks_nearly_as_one_painted(ball: str, radius: float) -> None:
-    def picture(lie: Quaternion, fine: bool) -> np.ndarray:
+    def picture(orientation: Quaternion, fine: bool) -> np.ndarray:
         side = round(2.0 * radius) + 4
         surface = pygame.Surface((side, side))
         place = (side / 2.0 + 0.25, side / 2.0 - 0.5)
-        ball_art.draw_all(surface, [ball_art.Placed(ball_art.usual(ball), place, radius, lie, fine=fine)])
+        ball_art.draw_all(surface, [ball_art.Placed(ball_art.usual(ball), place, radius, orientation, fine=fine)])
         return pygame.surfarray.array3d(surface).astype(float)
 
     lies = [FACING, turn(0.5, 0.3, 0.0), turn(1.4, -0.4, 2.0), turn(0.0, 2.5, 0.7)]
-    for lie in lies:
-        painted, looked_up = picture(lie, True), picture(lie, False)
+    for orientation in lies:
+        painted, looked_up = picture(orientation, True), picture(orientation, False)
         assert 0.0 < np.abs(painted - looked_up).mean() < 5.0
         # No other way of lying comes as near.
         nearest = min(lies, key=lambda other: float(np.abs(picture(other, True) - looked_up).mean()))
-        assert nearest == lie or ball == "cue"
+        assert nearest == orientation or ball == "cue"
 
 
 def test_only_what_moves_while_a_shot_runs_is_drawn_roughly(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -178,12 +178,12 @@ def test_a_palette_colours_every_set_by_the_nearest_hue(name: str) -> None:
 
 
 def test_shapes_tell_colours_apart_without_colour() -> None:
-    lie = turn(0.5, 0.4, 0.3)
+    orientation = turn(0.5, 0.4, 0.3)
     table = load_table("snooker-12ft")
     grey = Palette(**dict.fromkeys((*POOL, "brown", "pink"), (120, 120, 120)))
     looks = [table.furniture.looks[name] for name in ("red1", "yellow", "green", "brown", "blue", "pink", "black")]
-    plain = {pixels(drawn(look, lie, style=Style(grey))) for look in looks}
-    marked = {pixels(drawn(look, lie, style=Style(grey, patterned=True))) for look in looks}
+    plain = {pixels(drawn(look, orientation, style=Style(grey))) for look in looks}
+    marked = {pixels(drawn(look, orientation, style=Style(grey, patterned=True))) for look in looks}
     assert (len(plain), len(marked)) == (1, len(looks))
     assert set(ball_marks.SHAPES) <= set(POOL) | {"brown", "pink"}
 

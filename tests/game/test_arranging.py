@@ -73,7 +73,7 @@ def test_a_drill_judges_each_stroke_and_asks_for_none_between_attempts() -> None
     drill = load("stop-shot")
     session = DrillSession(drill)
     assert session.layout == drill.layout
-    assert not (session.free or session.movable or session.in_hand)
+    assert not (session.is_practice or session.movable or session.in_hand)
     session.play(Shot(180.0, 1.0))
     assert session.run.standing.missed == "not_potted"
     assert list(session.run.results) == [0]

@@ -9,7 +9,7 @@ import pytest
 
 from pool2d import Ball, InputError, Layout, Shot, simulate
 from pool2d.config.folders import data_folder
-from pool2d.game.drills.drill import MISSES, Drill, Rest, Run, Standing, begin, faults, judge, start
+from pool2d.game.drills.drill import MISSES, Drill, RestArea, Run, Standing, begin, faults, judge, start
 from pool2d.game.drills.drill_file import best, drills, keep, load
 from pool2d.game.rules.report import Report
 from pool2d.physics.values import POCKETED
@@ -106,14 +106,14 @@ def test_balls_have_to_rest_somewhere(tmp_path: Path, rest: str, places: dict[tu
     for place, good in places.items():
         assert step.rest[0].holds(Layout([Ball("cue", *place)])) is good
     assert not step.rest[0].holds(Layout([Ball("cue", 0.5, 0.5, phase=POCKETED)]))
-    assert not Rest("1").holds(Layout([Ball("cue", 0.5, 0.5)]))
+    assert not RestArea("1").holds(Layout([Ball("cue", 0.5, 0.5)]))
 
 
 def test_a_drill_is_told_in_the_languages_it_has(tmp_path: Path) -> None:
     drill = drill_of(tmp_path, "", 'name = "Stop"\ntext = "Stop it."\nde.text = "Bleibt liegen."\n')
-    assert drill.said("de") == ("Stop", "Bleibt liegen.")
-    assert drill.said("en") == drill.said("fr") == ("Stop", "Stop it.")
-    assert drill_of(tmp_path, "").said("de") == ("d", "")
+    assert drill.wording_in("de") == ("Stop", "Bleibt liegen.")
+    assert drill.wording_in("en") == drill.wording_in("fr") == ("Stop", "Stop it.")
+    assert drill_of(tmp_path, "").wording_in("de") == ("d", "")
 
 
 def test_a_drill_goes_from_step_to_step(tmp_path: Path) -> None:

@@ -80,7 +80,7 @@ def test_undo_and_redo_return_equal_moments(game: str) -> None:
         assert match.now is history[len(match.history) - 1]
     assert match.history == history
     match.undo()
-    match.play(Concede(match.ask.who)) if not match.state.over else match.play(NextFrame())
+    match.play(Concede(match.ask.player)) if not match.state.over else match.play(NextFrame())
     assert not match.redo()
 
 
@@ -90,7 +90,7 @@ def test_frames_are_counted_and_the_break_goes_round(table: Table) -> None:
         seen = []
         for loser in (1, 1, 0):
             seen.append(match.now.breaker)
-            assert match.ask.who == match.now.breaker
+            assert match.ask.player == match.now.breaker
             match.play(Concede(loser))
             assert not match.over
             match.play(NextFrame())
@@ -117,7 +117,7 @@ def test_a_stalemate_begins_the_frame_again(table: Table) -> None:
     first = match.layout
     match.play(Stroke(Shot(0.0, 8.0)))
     match.play(Stalemate())
-    assert (match.ask.who, match.now.frame, match.now.shooter, match.frames) == (1, 0, -1, (0, 0))
+    assert (match.ask.player, match.now.frame, match.now.shooter, match.frames) == (1, 0, -1, (0, 0))
     assert len(match.layout.on_table()) == 16
     assert match.layout != first
     assert match.now.tallies[1].strokes == 1

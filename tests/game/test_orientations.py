@@ -12,9 +12,9 @@ from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
 from pool2d.game.actions import Arrange, Stroke
 from pool2d.game.falling import DROP, ending, fallen, falling
 from pool2d.game.match import Match
-from pool2d.game.orientations import Keeper, racked
+from pool2d.game.orientations import OrientationTracker, racked_orientations
 from pool2d.game.setup import Setup
-from pool2d.physics.orientation import Quaternion, Turning, matrix, turn
+from pool2d.physics.orientation import BallRotation, Quaternion, matrix, turn
 
 from ..random_play import new_match, random_action
 
@@ -47,7 +47,7 @@ CUE = Ball("cue", 1.27, 0.5)
 
 def test_balls_sink_into_the_pocket_they_fell_into_and_turn_on() -> None:
     rollout = two_fall()
-    turning = Turning(rollout, {})
+    turning = BallRotation(rollout, {})
     drops = [event for event in rollout.events if event.kind == "ball_pocket"]
     assert [event.balls[0] for event in drops] == ["2", "1"]
     event = drops[0]
@@ -55,7 +55,7 @@ def test_balls_sink_into_the_pocket_they_fell_into_and_turn_on() -> None:
     assert falling(rollout, turning, POCKETS, event.t - 1e-6) == []
     steps = [falling(rollout, turning, POCKETS, event.t + DROP * i / 20.0)[0] for i in range(20)]
     assert (steps[0].x, steps[0].y, steps[0].depth) == (rim.x, rim.y, 0.0)
-    assert steps[0].lie == turning.at("2", event.t) != steps[1].lie
+    assert steps[0].orientation == turning.at("2", event.t) != steps[1].orientation
     depths = [fall.depth for fall in steps]
     far = [math.dist((fall.x, fall.y), (hole.x, hole.y)) for fall in steps]
     assert depths == sorted(depths)
@@ -75,28 +75,28 @@ def test_the_fallen_are_told_in_order_once_they_are_out_of_sight() -> None:
 
 
 def test_a_rack_lies_askew_with_its_numbers_up_and_the_same_each_time() -> None:
-    lies = racked(TABLE.rack("eight-ball", 7))
-    assert lies == racked(TABLE.rack("eight-ball", 7))
-    assert lies != racked(TABLE.rack("eight-ball", 8))
+    lies = racked_orientations(TABLE.rack("eight-ball", 7))
+    assert lies == racked_orientations(TABLE.rack("eight-ball", 7))
+    assert lies != racked_orientations(TABLE.rack("eight-ball", 8))
     assert len(set(lies.values())) == len(lies)
-    tops = [matrix(lie)[2][2] for lie in lies.values()]
+    tops = [matrix(orientation)[2][2] for orientation in lies.values()]
     assert min(tops) > 0.7
     assert sum(top > 0.8 for top in tops) >= len(tops) // 2
 
 
 def test_a_shot_starts_as_the_one_before_it_ended() -> None:
-    keeper = Keeper()
+    keeper = OrientationTracker()
     layout = Layout([Ball("cue", 0.6, 0.6), Ball("1", 1.2, 0.62)])
-    start = keeper.lying(layout).lies
+    start = keeper.states(layout).orientations
     first = simulate(TABLE, layout, Shot(speed=2.0))
-    assert near(keeper.lying(layout, first, 0.0).lies, start)
-    end = keeper.lying(first.layout(), first).lies
+    assert near(keeper.states(layout, first, 0.0).orientations, start)
+    end = keeper.states(first.layout(), first).orientations
     assert end["cue"] != start["cue"]
     second = simulate(TABLE, first.layout(), Shot(angle=40.0, speed=1.0))
-    assert near(keeper.lying(first.layout(), second, 0.0).lies, end)
+    assert near(keeper.states(first.layout(), second, 0.0).orientations, end)
     # Seen again, in any order, they are as they were.
-    assert keeper.lying(first.layout(), first).lies == end
-    assert near(keeper.lying(layout, first, 0.0).lies, start)
+    assert keeper.states(first.layout(), first).orientations == end
+    assert near(keeper.states(layout, first, 0.0).orientations, start)
 
 
 def test_a_shot_first_seen_in_its_middle_starts_where_the_last_ended() -> None:
@@ -105,42 +105,42 @@ def test_a_shot_first_seen_in_its_middle_starts_where_the_last_ended() -> None:
     second = simulate(TABLE, first.layout(), Shot(angle=40.0, speed=1.0))
 
     def end(t: float, since: float) -> object:
-        keeper = Keeper()
-        keeper.lying(layout)
-        keeper.lying(layout, first, t)
-        keeper.lying(first.layout(), second, since)
-        return keeper.lying(second.layout(), second).lies
+        keeper = OrientationTracker()
+        keeper.states(layout)
+        keeper.states(layout, first, t)
+        keeper.states(first.layout(), second, since)
+        return keeper.states(second.layout(), second).orientations
 
     assert end(0.3, 0.5) == end(math.inf, 0.0)
 
 
 def test_the_order_of_fall_goes_on_and_comes_back() -> None:
-    keeper = Keeper()
+    keeper = OrientationTracker()
     first = two_fall()
-    assert keeper.lying(first.start).down == []
-    assert keeper.lying(first.layout(), first).down == ["2", "1"]
+    assert keeper.states(first.start).pocketed == []
+    assert keeper.states(first.layout(), first).pocketed == ["2", "1"]
     corner = next(name for name in HOLES if "side" not in name)
     layout = first.layout().put(toward("3", corner, 0.4, 1.0))
     second = simulate(TABLE, layout)
-    assert keeper.lying(second.at(0.0), second, 0.0).down == ["2", "1"]
-    assert keeper.lying(second.layout(), second).down == ["2", "1", "3"]
+    assert keeper.states(second.at(0.0), second, 0.0).pocketed == ["2", "1"]
+    assert keeper.states(second.layout(), second).pocketed == ["2", "1", "3"]
     # A ball put back on the table is in the tray no more.
     back = second.layout().put(Ball("1", 1.0, 0.4))
-    assert keeper.lying(back, second).down == ["2", "3"]
-    assert keeper.lying(first.layout(), first).down == ["2", "1"]
+    assert keeper.states(back, second).pocketed == ["2", "3"]
+    assert keeper.states(first.layout(), first).pocketed == ["2", "1"]
 
 
 def test_a_hand_that_moves_a_ball_does_not_turn_it() -> None:
-    keeper = Keeper()
+    keeper = OrientationTracker()
     rack = TABLE.rack("eight-ball", 7)
-    lies = keeper.lying(rack).lies
-    assert keeper.lying(rack.put(rack["cue"]._replace(x=0.3))).lies == lies
-    assert keeper.lying(TABLE.rack("eight-ball", 8)).lies != lies
+    lies = keeper.states(rack).orientations
+    assert keeper.states(rack.put(rack["cue"]._replace(x=0.3))).orientations == lies
+    assert keeper.states(TABLE.rack("eight-ball", 8)).orientations != lies
 
 
 def test_balls_whose_fall_was_not_seen_are_down_too() -> None:
     layout = Layout([CUE, Ball("4", 0.0, 0.0, phase="pocketed"), Ball("5", 0.3, 0.3)])
-    assert Keeper().lying(layout).down == ["4"]
+    assert OrientationTracker().states(layout).pocketed == ["4"]
 
 
 def test_turns_compose() -> None:
@@ -152,19 +152,19 @@ def test_a_match_seen_from_its_record_lies_as_it_did_when_it_was_played() -> Non
     match, rng = new_match("nine-ball", 5), random.Random(5)
     while sum(moment.rollout is not None for moment in match.history) < 8 and not match.over:
         match.play(random_action(match, rng))
-    live, late = Keeper(), Keeper()
+    live, late = OrientationTracker(), OrientationTracker()
     last = None
     for before, moment in pairwise(match.history):
         if moment.rollout is not None:
             live.follow(before, moment.rollout, last)
-            seen = live.lying(moment.rollout.layout(), moment.rollout)
+            seen = live.states(moment.rollout.layout(), moment.rollout)
             late.follow(before, moment.rollout, last)
             # Somebody looks at an earlier shot in between.
             first = next(shot.rollout for shot in match.history if shot.rollout is not None)
-            late.lying(first.start, first)
-            assert late.lying(moment.rollout.layout(), moment.rollout) == seen
+            late.states(first.start, first)
+            assert late.states(moment.rollout.layout(), moment.rollout) == seen
             last = moment
-    assert seen.down
+    assert seen.pocketed
 
 
 def test_a_stroke_goes_on_from_the_last_whatever_was_shown_in_between() -> None:
@@ -173,11 +173,11 @@ def test_a_stroke_goes_on_from_the_last_whatever_was_shown_in_between() -> None:
     before, first = match.now, match.play(Stroke(Shot(0.0, 2.0)))
     second = match.play(Stroke(Shot(40.0, 1.0)))
     assert first.rollout is not None and second.rollout is not None
-    keeper = Keeper()
+    keeper = OrientationTracker()
     keeper.follow(before, first.rollout, None)
-    wanted = keeper.lying(first.layout, first.rollout).lies
+    wanted = keeper.states(first.layout, first.rollout).orientations
     # Another shot is looked at before the next one is laid.
-    keeper.lying(simulate(TABLE, before.layout, Shot(90.0, 3.0)).start)
-    keeper.lying(before.layout, simulate(TABLE, before.layout, Shot(90.0, 3.0)))
+    keeper.states(simulate(TABLE, before.layout, Shot(90.0, 3.0)).start)
+    keeper.states(before.layout, simulate(TABLE, before.layout, Shot(90.0, 3.0)))
     keeper.follow(first, second.rollout, first)
-    assert near(keeper.lying(first.layout, second.rollout, 0.0).lies, wanted)
+    assert near(keeper.states(first.layout, second.rollout, 0.0).orientations, wanted)

@@ -22,7 +22,7 @@ from pool2d.game.records import engine, moments
 from pool2d.game.records.earlier import digest
 from pool2d.game.records.engine import Identity
 from pool2d.game.records.record import CHANGED, ENGINE, GONE, Record, load, seal
-from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import record, resume
 from pool2d.game.records.replaying import (
     BY_ENGINE,
@@ -31,9 +31,9 @@ from pool2d.game.records.replaying import (
     BY_RULES,
     UNKNOWN,
     divergences,
+    recorded_shots,
     replayed,
     restored,
-    takes,
     verify,
 )
 from pool2d.game.rules import GAMES
@@ -180,7 +180,7 @@ def test_a_match_goes_on_on_the_table_that_it_had(path: Path, lost: bool, capsys
         again.match.table.settle(again.match.layout)
         again.play(random_action(again.match, random.Random(1)))
     assert verify(load(path)) is None
-    assert next(take.same for take in takes(load(path)))
+    assert next(take.same for take in recorded_shots(load(path)))
     assert main(["replay", str(path), "--verify"]) == 0
     told = capsys.readouterr().out
     assert "as recorded" in told and ("not there any more" if lost else "its preset has changed since") in told
@@ -238,6 +238,17 @@ def test_what_is_no_moment_is_refused(change: dict[str, Any]) -> None:
         moments.moment_of({**line, **change}, game, "line")
 
 
+def test_who_is_asked_keeps_the_name_that_records_have_for_it() -> None:
+    game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
+    line = json.loads(json.dumps(moments.told(game.now)))
+    ask = line["game"]["ask"]
+    assert list(ask)[:2] == ["kind", "who"] and "player" not in ask
+    refused: list[tuple[dict[str, Any], str]] = [({"who": "x"}, "game.who"), ({"player": 0}, "player")]
+    for change, key in refused:
+        with pytest.raises(InputError, match=rf"^line: {key} = "):
+            moments.moment_of({**line, "game": {**line["game"], "ask": {**ask, **change}}}, game, "line")
+
+
 def test_a_note_that_this_version_has_no_words_for_is_left_out() -> None:
     game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
     line = moments.told(game.now)
@@ -252,7 +263,7 @@ def test_a_later_engine_shows_and_goes_on_with_what_was_recorded(
     path: Path, faster: Callable[[], None], other: Callable[..., None], capsys: pytest.CaptureFixture[str]
 ) -> None:
     before = played(path)
-    as_it_was = takes(load(path))
+    as_it_was = recorded_shots(load(path))
     faster()
     other(engine="later")
     kept = load(path)
@@ -262,7 +273,7 @@ def test_a_later_engine_shows_and_goes_on_with_what_was_recorded(
     told = capsys.readouterr().out
     assert f"line {found[0].line}: the shot does not roll as recorded" in told
     assert "the engine has changed since" in told and f"and {len(found) - 1} lines more" in told
-    for take, old in zip(takes(kept), as_it_was, strict=True):
+    for take, old in zip(recorded_shots(kept), as_it_was, strict=True):
         assert take.before.layout == old.before.layout
         assert moments.same(take.moment, old.moment)
         assert take.moment.ruling == old.moment.ruling
@@ -341,7 +352,7 @@ def test_other_rules_are_told_and_the_match_stands_as_it_was_judged(
     assert again.changes == (BY_RULES,)
     assert stands(again.match, before)
     # The shot itself rolls as ever, and is shown.
-    assert all(take.same for take in takes(load(path)))
+    assert all(take.same for take in recorded_shots(load(path)))
     assert all(x.report == y.report for x, y in zip(again.match.history, before.history, strict=True))
 
 
@@ -358,7 +369,7 @@ def test_an_action_that_later_rules_refuse_is_believed(
     again = restored(load(path))
     assert again.changes == (BY_RULES,)
     assert stands(again.match, before)
-    assert len(Reel(load(path)).takes) == 1
+    assert len(RecordedShots(load(path)).played) == 1
 
 
 def test_a_rack_that_is_set_up_otherwise_starts_as_recorded(
@@ -477,7 +488,7 @@ def test_a_record_whose_first_stroke_cannot_be_played_is_none_to_look_at(path: P
     lines = bodies(path)
     lines[1]["shot"] = "1:0.0,3.0"
     with pytest.raises(InputError, match="line 2: stroke is refused"):
-        Reel(rewrite(path, lines))
+        RecordedShots(rewrite(path, lines))
 
 
 def test_the_digest_of_earlier_versions_is_what_it_was() -> None:

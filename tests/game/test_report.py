@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from pool2d import Ball, Layout, Shot, load_table, simulate
-from pool2d.game.referee import _span, read
+from pool2d.game.referee import _span, observe
 from pool2d.game.rules.report import BALL, POCKET, RAIL, Call, Contact, Report
 
 from .rules.notation import report
@@ -18,7 +18,7 @@ WIDTH = TABLE.knobs.table.width
 
 def seen(*balls: Ball, **shot: float) -> Report:
     """The report of a shot at some balls."""
-    return read(TABLE, simulate(TABLE, Layout(balls), Shot(**shot)))  # type: ignore[arg-type]
+    return observe(TABLE, simulate(TABLE, Layout(balls), Shot(**shot)))  # type: ignore[arg-type]
 
 
 def test_contacts_come_in_their_order() -> None:
@@ -38,7 +38,7 @@ def test_a_ball_that_falls_names_its_pocket() -> None:
 
 def test_a_call_holds_where_ball_and_pocket_agree() -> None:
     roll = simulate(TABLE, Layout([Ball("cue", 2.2, 0.95), Ball("1", 2.4, 1.14)]), Shot(angle=43.5, speed=2.0))
-    calls = {pocket: read(TABLE, roll, Call("1", pocket)).called() for pocket in ("top-right", "top-left")}
+    calls = {pocket: observe(TABLE, roll, Call("1", pocket)).called() for pocket in ("top-right", "top-left")}
     assert calls == {"top-right": "1", "top-left": ""}
 
 
@@ -171,4 +171,4 @@ def test_a_ball_that_is_pressed_on_meets_its_cushion_once() -> None:
     events = list(roll.events)
     at = next(i for i, event in enumerate(events) if event.rails)
     again = roll.__class__(roll.start, roll.tracks, [*events[: at + 1], events[at], *events[at + 1 :]], truncated=False)
-    assert read(TABLE, again).contacts == read(TABLE, roll).contacts
+    assert observe(TABLE, again).contacts == observe(TABLE, roll).contacts

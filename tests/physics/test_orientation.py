@@ -8,7 +8,7 @@ import random
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
-from pool2d.physics.orientation import FACING, Quaternion, Turning, matrix, product, turn, unit
+from pool2d.physics.orientation import FACING, BallRotation, Quaternion, matrix, product, turn, unit
 
 from ..scenes import random_shot
 
@@ -32,7 +32,7 @@ def roll_of(vx: float = 0.0, vy: float = 0.0, wx: float = 0.0, wy: float = 0.0, 
 def test_a_rolling_ball_turns_by_its_way_over_its_radius(way: float) -> None:
     vx, vy = 0.3 * math.cos(math.radians(way)), 0.3 * math.sin(math.radians(way))
     rollout = roll_of(vx=vx, vy=vy, wx=-vy / RADIUS, wy=vx / RADIUS)
-    turning = Turning(rollout, {})
+    turning = BallRotation(rollout, {})
     for t in (0.1, 0.7, rollout.duration):
         ball = rollout.ball_at("cue", t)
         angle = math.dist((ball.x, ball.y), (1.27, 0.635)) / RADIUS
@@ -51,14 +51,14 @@ def test_a_spinning_ball_turns_about_the_vertical(spin: float) -> None:
     fall = 2.5 * CLOTH.mu_spin * GRAVITY / RADIUS
     for t in (0.2, 0.8 * rollout.duration, rollout.duration):
         angle = math.copysign(abs(spin) * t - 0.5 * fall * t * t, spin)
-        assert angle_between(Turning(rollout, {}).at("cue", t), turn(0.0, 0.0, angle)) < 1e-9
+        assert angle_between(BallRotation(rollout, {}).at("cue", t), turn(0.0, 0.0, angle)) < 1e-9
 
 
 def test_a_ball_pushed_without_spin_begins_to_turn_as_it_slides() -> None:
     rollout = roll_of(vx=1.0)
     t = 0.9 * rollout.tracks["cue"][0].t1
     angle = 0.5 * 2.5 * CLOTH.mu_slide * GRAVITY / RADIUS * t * t
-    assert angle_between(Turning(rollout, {}).at("cue", t), turn(0.0, angle, 0.0)) < 1e-9
+    assert angle_between(BallRotation(rollout, {}).at("cue", t), turn(0.0, angle, 0.0)) < 1e-9
 
 
 @pytest.mark.parametrize(
@@ -73,15 +73,15 @@ def test_a_ball_pushed_without_spin_begins_to_turn_as_it_slides() -> None:
 )
 def test_where_the_axis_moves_small_steps_agree(state: dict[str, float]) -> None:
     rollout = roll_of(**state)
-    turning = Turning(rollout, {})
-    lie, t, step = FACING, 0.0, 5e-5
+    turning = BallRotation(rollout, {})
+    orientation, t, step = FACING, 0.0, 5e-5
     # Before any cushion, which would change the spin within a step.
     end = 1.3
     while t + step <= end:
         ball = rollout.ball_at("cue", t + 0.5 * step)
-        lie = product(turn(step * ball.wx, step * ball.wy, step * ball.wz), lie)
+        orientation = product(turn(step * ball.wx, step * ball.wy, step * ball.wz), orientation)
         t += step
-    assert angle_between(turning.at("cue", t), lie) < 2e-5
+    assert angle_between(turning.at("cue", t), orientation) < 2e-5
 
 
 @pytest.mark.parametrize("seed", [3, 8])
@@ -91,14 +91,14 @@ def test_any_order_of_asking_gives_the_same_orthonormal_orientations(seed: int) 
     rng = random.Random(seed)
     times = [rng.uniform(-0.1, rollout.duration + 0.1) for _ in range(40)] + [event.t for event in rollout.events]
     rng.shuffle(times)
-    shuffled, forward = Turning(rollout, start), Turning(rollout, start)
-    known = {t: forward.lies(t) for t in sorted(times)}
-    assert forward.lies(0.0).keys() == rollout.start.keys()
+    shuffled, forward = BallRotation(rollout, start), BallRotation(rollout, start)
+    known = {t: forward.orientations(t) for t in sorted(times)}
+    assert forward.orientations(0.0).keys() == rollout.start.keys()
     for t in times:
-        lies = shuffled.lies(t)
-        assert lies == known[t] == Turning(rollout, start).lies(t)
-        for lie in lies.values():
-            rows = matrix(lie)
+        lies = shuffled.orientations(t)
+        assert lies == known[t] == BallRotation(rollout, start).orientations(t)
+        for orientation in lies.values():
+            rows = matrix(orientation)
             for i in range(3):
                 for j in range(3):
                     dot = sum(a * b for a, b in zip(rows[i], rows[j], strict=True))
@@ -107,10 +107,10 @@ def test_any_order_of_asking_gives_the_same_orthonormal_orientations(seed: int) 
 
 def test_orientation_never_jumps() -> None:
     rollout = simulate(TABLE, *random_shot(TABLE, 3))
-    turning = Turning(rollout, {})
+    turning = BallRotation(rollout, {})
     assert rollout.events
     for event in rollout.events:
-        before, after = turning.lies(event.t - 1e-7), turning.lies(event.t + 1e-7)
+        before, after = turning.orientations(event.t - 1e-7), turning.orientations(event.t + 1e-7)
         assert all(angle_between(before[ball], after[ball]) < 1e-4 for ball in before)
 
 
@@ -118,10 +118,10 @@ def test_it_starts_as_it_is_told_and_ends_where_the_shot_ends() -> None:
     layout = Layout([Ball("cue", 0.6, 0.6), Ball("1", 1.2, 0.6), Ball("2", 2.0, 1.0)])
     rollout = simulate(TABLE, layout, Shot(speed=2.0, side=0.3))
     start = {"cue": turn(1.0, 2.0, 0.5), "2": (2.0, 0.0, 2.0, 0.0)}
-    turning = Turning(rollout, start)
+    turning = BallRotation(rollout, start)
     assert turning.at("cue", -1.0) == turning.at("cue", 0.0)
     assert angle_between(turning.at("cue", 0.0), start["cue"]) < 1e-12
     assert turning.at("1", 0.0) == FACING
     assert turning.at("2", 1.0) == unit(start["2"])
-    assert turning.lies(math.inf) == turning.lies(rollout.duration)
-    assert turning.lies(math.inf)["1"] != FACING
+    assert turning.orientations(math.inf) == turning.orientations(rollout.duration)
+    assert turning.orientations(math.inf)["1"] != FACING

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
-from pool2d.sound.impacts import Heard, heard
+from pool2d.sound.impacts import Impact, impacts
 
 TABLE = load_table("pool-9ft")
 CUE = Ball("cue", 0.6, 0.635)
@@ -17,10 +17,10 @@ def roll(*balls: Ball, shot: Shot | None = None) -> Rollout:
     return simulate(TABLE, Layout(balls), shot)
 
 
-def whole(rollout: Rollout) -> list[Heard]:
+def whole(rollout: Rollout) -> list[Impact]:
     """All that is heard, in steps of a frame, as the screen asks."""
     frames = math.ceil(rollout.duration * 60.0)
-    return [sound for frame in range(-1, frames) for sound in heard(rollout, frame / 60.0, (frame + 1) / 60.0)]
+    return [sound for frame in range(-1, frames) for sound in impacts(rollout, frame / 60.0, (frame + 1) / 60.0)]
 
 
 def test_the_cue_and_then_the_balls() -> None:
@@ -64,7 +64,7 @@ def test_of_a_cluster_a_few_pairs_are_heard_the_hardest_first() -> None:
     rollout = simulate(TABLE, TABLE.rack("eight-ball", 3), Shot(speed=9.0, angle=0.1))
     cluster = max((event for event in rollout.events if event.kind == "cluster"), key=lambda event: len(event.pairs))
     assert len(cluster.pairs) > 4
-    sounds = heard(rollout, cluster.t - 1e-9, cluster.t)
+    sounds = impacts(rollout, cluster.t - 1e-9, cluster.t)
     assert len(sounds) == 4
     assert [sound.speed for sound in sounds] == sorted((sound.speed for sound in sounds), reverse=True)
     cue = cluster.before["cue"]
@@ -74,7 +74,7 @@ def test_of_a_cluster_a_few_pairs_are_heard_the_hardest_first() -> None:
 def test_a_frozen_ball_that_takes_the_blow_is_heard() -> None:
     rollout = roll(Ball("cue", 0.6, 0.635, vx=2.0), Ball("1", 1.0, 0.635), Ball("2", 1.05715, 0.635))
     first = next(event for event in rollout.events if event.kind == "cluster")
-    assert all(sound.speed > 0.4 for sound in heard(rollout, first.t - 1e-9, first.t))
+    assert all(sound.speed > 0.4 for sound in impacts(rollout, first.t - 1e-9, first.t))
 
 
 def test_each_event_is_heard_once_however_time_is_cut() -> None:
@@ -82,13 +82,15 @@ def test_each_event_is_heard_once_however_time_is_cut() -> None:
     contacts = sum(event.kind in ("cue_ball", "ball_cushion") for event in rollout.events)
     sounds = whole(rollout)
     assert sum(sound.kind in ("cue", "cushion") for sound in sounds) == contacts
-    halves = [heard(rollout, start / 2.0, (start + 1) / 2.0) for start in range(-2, math.ceil(2.0 * rollout.duration))]
+    halves = [
+        impacts(rollout, start / 2.0, (start + 1) / 2.0) for start in range(-2, math.ceil(2.0 * rollout.duration))
+    ]
     assert [sound for half in halves for sound in half] == sounds
 
 
 def test_nothing_is_heard_where_time_stands_runs_backward_or_jumps() -> None:
     rollout = roll(CUE, Ball("1", 1.2, 0.635), shot=Shot(speed=2.0))
-    assert heard(rollout, -0.5, 0.5) == heard(rollout, -math.inf, 0.5) != []
-    assert not heard(rollout, 0.0, 0.0)
-    assert not heard(rollout, 0.5, -0.5)
-    assert not heard(rollout, -0.5, rollout.duration)
+    assert impacts(rollout, -0.5, 0.5) == impacts(rollout, -math.inf, 0.5) != []
+    assert not impacts(rollout, 0.0, 0.0)
+    assert not impacts(rollout, 0.5, -0.5)
+    assert not impacts(rollout, -0.5, rollout.duration)

@@ -16,7 +16,7 @@ import pytest
 
 from pool2d import Shot, load_table, simulate
 from pool2d.sound import synth
-from pool2d.sound.impacts import Heard
+from pool2d.sound.impacts import Impact
 from pool2d.sound.mixer import Sounds, loudness, pan
 
 from ..ui.conftest import FRAME, Hand
@@ -24,7 +24,7 @@ from ..ui.conftest import FRAME, Hand
 ROOT = Path(__file__).parents[2]
 # Sounds that were started, in their order.
 Started = list[pygame.mixer.Sound]
-LOUD, SOFT = Heard("ball", 8.0, 0.5), Heard("cushion", 0.3, 0.5)
+LOUD, SOFT = Impact("ball", 8.0, 0.5), Impact("cushion", 0.3, 0.5)
 
 
 class Clock:
@@ -97,7 +97,7 @@ def test_panning_keeps_the_power() -> None:
 
 @pytest.mark.parametrize("kind", synth.KINDS)
 def test_a_harder_contact_is_louder_up_to_a_limit(kind: str) -> None:
-    steps = [loudness(Heard(kind, speed, 0.0)) for speed in (0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0)]
+    steps = [loudness(Impact(kind, speed, 0.0)) for speed in (0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0)]
     assert steps == sorted(steps)
     assert steps[0] == 0.0
     assert 0.0 < steps[-2] == steps[-1] < 1.0
@@ -181,7 +181,7 @@ def test_no_volume_is_silence(sounds: Sounds, started: Started) -> None:
 
 
 def test_what_cannot_be_heard_is_not_played(sounds: Sounds, started: Started) -> None:
-    sounds.play([Heard("ball", 0.0, 0.5), Heard("ball", 0.005, 0.5)])
+    sounds.play([Impact("ball", 0.0, 0.5), Impact("ball", 0.005, 0.5)])
     assert not started
 
 
@@ -241,10 +241,10 @@ def test_the_window_opens_the_device_after_its_first_frame_and_closes_it(hand: H
 
 
 def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand, monkeypatch: pytest.MonkeyPatch, started: Started) -> None:
-    played: list[Heard] = []
+    played: list[Impact] = []
     play = hand.app.sounds.play
 
-    def spy(sounds: list[Heard], length: float = 1.0) -> None:
+    def spy(sounds: list[Impact], length: float = 1.0) -> None:
         played.extend(sounds)
         play(sounds, length)
 
@@ -273,7 +273,7 @@ def test_after_a_miscue_the_tip_is_chalked(hand: Hand, started: Started) -> None
         pass
     hand.play.hands.nudge_tip(0.9, 0.0)
     hand.key(pygame.K_SPACE)
-    assert hand.play.message.startswith("Miscue")
+    assert hand.play.message_text.startswith("Miscue")
     started.clear()
     hand.key(pygame.K_SPACE)
     assert len(started) == 1

@@ -27,7 +27,7 @@ from pool2d.draw import theme
 from pool2d.draw.balls import ball_art
 from pool2d.draw.tabletop import table_picture
 from pool2d.draw.view import fit
-from pool2d.game.orientations import racked
+from pool2d.game.orientations import racked_orientations
 
 SIZE = (640, 360)
 FOLDER = Path(__file__).parent / "golden"
@@ -54,7 +54,7 @@ def balls(name: str, style: theme.Style = theme.PLAIN) -> pygame.Surface:
     room = SIZE[0] / _ACROSS
     picture = pygame.Surface((SIZE[0], round(room * math.ceil(len(layout) / _ACROSS))))
     picture.fill(theme.rgb(table.furniture.finish.cloth))
-    lies = racked(layout)
+    lies = racked_orientations(layout)
     looks = [table.furniture.looks.get(ball) or ball_art.usual(ball) for ball in layout]
     placed = [
         ball_art.Placed(look, (room * (i % _ACROSS + 0.5), room * (i // _ACROSS + 0.5)), 0.36 * room, lies[ball])

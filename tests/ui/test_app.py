@@ -17,7 +17,7 @@ from pool2d import Shot, load_table
 from pool2d.config.settings import Store
 from pool2d.draw import text
 from pool2d.game.records.record import load
-from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import unfinished
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
@@ -322,7 +322,7 @@ def test_the_window_is_named_after_the_table_of_a_replay(hand: Hand) -> None:
     session = recorded(load_table("snooker-12ft"), Setup("snooker", breaker=0))
     session.play(Shot(speed=2.0))
     session.leave()
-    hand.app.scene = Replay(Reel(load(unfinished()[0])), hand.play)
+    hand.app.scene = Replay(RecordedShots(load(unfinished()[0])), hand.play)
     hand.app.step(FRAME)
     assert "Snooker" in pygame.display.get_caption()[0]
     hand.key(pygame.K_ESCAPE)

@@ -17,7 +17,7 @@ from pool2d.draw import text
 from pool2d.game.actions import Stroke
 from pool2d.game.match import Match
 from pool2d.game.records.record import load
-from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import record
 from pool2d.game.rules.report import Call
 from pool2d.game.setup import Setup
@@ -26,9 +26,9 @@ from pool2d.ui import start
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.pick import Pick
 from pool2d.ui.replay import replay_view
-from pool2d.ui.replay.record_list import RecordShelf, open_replays
+from pool2d.ui.replay.record_list import RecordList, open_replays
 from pool2d.ui.replay.replay_scene import PAUSE, Replay
-from pool2d.ui.widgets.list_row import Entry
+from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.widgets.widget import Heading
 from tests.random_play import new_match
 
@@ -58,10 +58,10 @@ class Viewer(Hand):
     """A person who looks at a record."""
 
     def __init__(self, path: Path) -> None:
-        reel = Reel(load(path))
-        app = App(reel[0].match.table, seed=1)
+        shots = RecordedShots(load(path))
+        app = App(shots[0].match.table, seed=1)
         pygame.event.clear()
-        self.replay = Replay(reel, None, app.store, app.sounds)
+        self.replay = Replay(shots, None, app.store, app.sounds)
         app.scene = self.replay
         super().__init__(app)
 
@@ -172,7 +172,7 @@ def test_a_call_is_told_in_words(tmp_path: Path) -> None:
     with record(Match(load_table("snooker-12ft"), Setup("snooker", breaker=0)), tmp_path / "s.jsonl") as recorder:
         recorder.play(Stroke(Shot(0.0, 2.0), Call(ball="red7")))
         recorder.play(Stroke(Shot(0.0, 2.0)))
-    first, second = Reel(load(recorder.path)).takes[0], Reel(load(recorder.path))[1]
+    first, second = RecordedShots(load(recorder.path)).played[0], RecordedShots(load(recorder.path))[1]
     assert replay_view.called(first) == "Player 1 calls red 7."
     assert replay_view.called(second) == ""
 
@@ -229,8 +229,8 @@ def test_records_are_offered_the_latest_first_and_damage_is_told(hand: Hand) -> 
     (folder / "2002-02-03 nine-ball.jsonl").write_text("no record\n")
     os.utime(folder / "2001-02-03 nine-ball.jsonl", (1, 1))
     hand.app.scene = shelf = open_replays(hand.play, hand.app.store, hand.app.sounds)
-    assert isinstance(shelf, RecordShelf)
-    lines = [line for line in shelf.form.widgets if isinstance(line, Entry)]
+    assert isinstance(shelf, RecordList)
+    lines = [line for line in shelf.form.widgets if isinstance(line, ListRow)]
     assert "2002-02-03 nine-ball" in lines[0].label and "not a record" in lines[0].below
     assert "Player 1" in lines[1].label and lines[1].note == "Nine-ball"
     hand.key(pygame.K_RETURN)
@@ -247,17 +247,17 @@ def test_a_record_that_no_longer_plays_is_shown_as_far_as_it_does(recorded: Path
     kept = load(recorded)
     broken = [entry._replace(data={**entry.data, "shot": "1:0.0,1.0"}) if entry.line == 6 else entry
               for entry in kept.entries]  # fmt: skip
-    reel = Reel(replace(kept, entries=tuple(broken)))
-    assert len(reel) == 4
-    assert reel[3].number == len(reel) == 3
-    assert reel.fault is not None
-    assert reel.fault.line == 6
+    shots = RecordedShots(replace(kept, entries=tuple(broken)))
+    assert len(shots) == 4
+    assert shots[3].number == len(shots) == 3
+    assert shots.fault is not None
+    assert shots.fault.line == 6
 
 
 def test_a_shot_that_rolls_otherwise_than_recorded_is_told(recorded: Path) -> None:
     kept = load(recorded)
     kept.entries[0].data["digest"] = "0"
-    assert [take.same for take in map(Reel(kept).__getitem__, range(4))] == [False, True, True, True]
+    assert [take.same for take in map(RecordedShots(kept).__getitem__, range(4))] == [False, True, True, True]
 
 
 def test_the_command_shows_a_record(recorded: Path) -> None:
@@ -279,7 +279,7 @@ def test_without_a_screen_the_command_says_so(
 def test_the_list_of_records_says_so_where_there_are_none(hand: Hand) -> None:
     def heading() -> str:
         shelf = open_replays(hand.play, hand.app.store, hand.app.sounds)
-        assert isinstance(shelf, RecordShelf)
+        assert isinstance(shelf, RecordList)
         told = next(widget for widget in shelf.form.widgets if isinstance(widget, Heading))
         return told.words()
 

@@ -9,11 +9,11 @@ from pool2d import load_table
 from pool2d.draw import text, theme
 from pool2d.errors import BudgetError
 from pool2d.game.session import practice
-from pool2d.ui.dialogs.list_page import Shelf
+from pool2d.ui.dialogs.list_page import ListPage
 from pool2d.ui.dialogs.pick import Pick
-from pool2d.ui.menus.menu import Item, Way
+from pool2d.ui.menus.menu import Item, MenuEntry
 from pool2d.ui.play.play import Play
-from pool2d.ui.widgets.list_row import Entry
+from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.widgets.widget import Heading, Widget
 
 from .at_match import begin
@@ -40,7 +40,7 @@ def test_a_key_whose_release_was_never_told_is_pressed_anew(hand: Hand) -> None:
 
 def test_delete_throws_away_only_what_can_be_and_when_asked_twice() -> None:
     gone: list[str] = []
-    kept, lost = Entry("kept", lambda: None), Entry("lost", lambda: None, remove=lambda: gone.append("lost"))
+    kept, lost = ListRow("kept", lambda: None), ListRow("lost", lambda: None, remove=lambda: gone.append("lost"))
     assert not kept.key(pygame.K_DELETE, 0)
     assert lost.key(pygame.K_DELETE, 0) and not gone
     assert lost.key(pygame.K_DELETE, 0) and gone == ["lost"]
@@ -71,7 +71,7 @@ def test_the_wheel_holds_a_shot_that_is_seen_again(hand: Hand) -> None:
 
 def test_a_line_of_a_menu_says_what_it_is_at_its_left() -> None:
     def drawn(label: str) -> pygame.Rect:
-        item = Item(Way(lambda: label, lambda: None), lambda entry: None)
+        item = Item(MenuEntry(lambda: label, lambda: None), lambda entry: None)
         item.rect = pygame.Rect(10, 10, 300, 36)
         surface = pygame.Surface((320, 60))
         item.draw(surface, 8, False, False)
@@ -91,7 +91,7 @@ def test_the_marked_line_of_a_menu_is_lit_and_what_is_told_of_it_stands_below(mo
     monkeypatch.setattr(
         text, "draw", lambda surface, said, size, color, place, *more: drawn.append((said, color, place))
     )
-    item = Item(Way(lambda: "A", lambda: None, lambda: ["b", "c"]), lambda entry: None)
+    item = Item(MenuEntry(lambda: "A", lambda: None, lambda: ["b", "c"]), lambda entry: None)
     item.rect = pygame.Rect(10, 10, 300, 80)
     for item.here in (False, True):
         item.draw(pygame.Surface((320, 120)), 8, False, False)
@@ -100,13 +100,13 @@ def test_the_marked_line_of_a_menu_is_lit_and_what_is_told_of_it_stands_below(mo
     assert heights == sorted(heights) and heights[1] - heights[0] == heights[2] - heights[1] > 8
 
 
-class Empty(Shelf):
+class Empty(ListPage):
     def entries(self) -> list[Widget]:
         return []
 
 
 def test_a_shelf_tells_what_it_is_for_where_it_has_something_to_say(hand: Hand) -> None:
-    def said(shelf: Shelf) -> list[str]:
+    def said(shelf: ListPage) -> list[str]:
         return [widget.words() for widget in shelf.form.widgets if isinstance(widget, Heading)]
 
     assert said(Empty(hand.play, lambda: "Shelf", lambda: "What lies here.")) == ["Shelf", "What lies here."]
@@ -158,4 +158,4 @@ def test_a_shot_that_the_engine_gives_up_is_told_and_the_balls_stay(two: Hand, m
     monkeypatch.setattr(two.play.session, "play", gives_up)
     two.key(pygame.K_SPACE)
     assert two.open and two.play.playback is None
-    assert "not over" in two.play.message and two.play.session.layout == before
+    assert "not over" in two.play.message_text and two.play.session.layout == before

@@ -14,11 +14,11 @@ from pool2d.draw import text
 from pool2d.draw.text import fitted, picture, wrap
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.dialog import Dialog
-from pool2d.ui.dialogs.position_list import PositionShelf
-from pool2d.ui.menus.drill_list import DrillShelf
-from pool2d.ui.menus.table_list import TableShelf
+from pool2d.ui.dialogs.position_list import PositionList
+from pool2d.ui.menus.drill_list import DrillList
+from pool2d.ui.menus.table_list import TableList
 from pool2d.ui.replay.record_list import open_replays
-from pool2d.ui.widgets.list_row import Entry
+from pool2d.ui.widgets.list_row import ListRow
 
 from .conftest import Hand
 
@@ -69,9 +69,9 @@ def data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.parametrize(
     "open_shelf",
     [
-        lambda hand: TableShelf(hand.app.play, hand.app.play),
-        lambda hand: DrillShelf(hand.app.play, hand.app.play),
-        lambda hand: PositionShelf(hand.app.play, lambda name: "wrong\0"),
+        lambda hand: TableList(hand.app.play, hand.app.play),
+        lambda hand: DrillList(hand.app.play, hand.app.play),
+        lambda hand: PositionList(hand.app.play, lambda name: "wrong\0"),
         lambda hand: open_replays(hand.app.play),
     ],
     ids=["tables", "drills", "positions", "matches"],
@@ -81,7 +81,7 @@ def test_shelves_show_whatever_lies_there(data: Path, guest: Hand, open_shelf: C
     guest.app.step(0.5)
     for row in list(shelf.form.rows):
         for widget in row:
-            if isinstance(widget, Entry):
+            if isinstance(widget, ListRow):
                 widget.do()
                 guest.app.step(0.1)
                 guest.app.scene, shelf.done = shelf, False

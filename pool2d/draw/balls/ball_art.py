@@ -31,7 +31,7 @@ class Placed(NamedTuple):
     look: Look
     centre: tuple[float, float]
     radius: float
-    lie: Quaternion = FACING
+    orientation: Quaternion = FACING
     alpha: int = 255
     shadow: bool = True
     fine: bool = True
@@ -52,7 +52,7 @@ def draw(
     radius: float,
     faint: bool = False,
     look: Look | None = None,
-    lie: Quaternion = FACING,
+    orientation: Quaternion = FACING,
     style: Style = theme.PLAIN,
 ) -> None:
     """Draw one ball and its shadow; `faint` for one that is not really there.
@@ -60,7 +60,7 @@ def draw(
     Without a look, a ball that is a number looks like that ball of a pool set, and any other is a cue ball.
     """
     alpha = _FAINT if faint else 255
-    draw_all(surface, [Placed(look or usual(ball), centre, radius, lie, alpha, not faint)], style)
+    draw_all(surface, [Placed(look or usual(ball), centre, radius, orientation, alpha, not faint)], style)
 
 
 def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = theme.PLAIN) -> list[pygame.Rect]:
@@ -74,8 +74,8 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
             shadows.append((shade, (x + right, y + down)))
         level = round(ball.alpha * LEVELS / 255.0)
         # A rough picture is not looked for again.
-        lie = _rounded(ball.lie, radius) if ball.fine else ball.lie
-        sprites.append(Sprite(Coat(ball.look, style), radius, step, lie, level, ball.fine))
+        orientation = _rounded(ball.orientation, radius) if ball.fine else ball.orientation
+        sprites.append(Sprite(Coat(ball.look, style), radius, step, orientation, level, ball.fine))
         half = light(radius).half
         corners.append((x - half, y - half))
     # The type allows for none being returned.
@@ -96,9 +96,9 @@ def _hex(color: tuple[int, ...]) -> str:
     return "#" + bytes(color[:3]).hex()
 
 
-def _rounded(lie: Quaternion, radius: float) -> Quaternion:
+def _rounded(orientation: Quaternion, radius: float) -> Quaternion:
     """The orientation, not of unit length, in steps that move the rim by about a quarter of a pixel."""
-    w, x, y, z = lie
+    w, x, y, z = orientation
     fine = math.copysign(8.0 * radius, w)
     return round(w * fine), round(x * fine), round(y * fine), round(z * fine)
 

@@ -30,7 +30,7 @@ class Sprite(NamedTuple):
     coat: Coat
     radius: float
     step: int
-    lie: Quaternion
+    orientation: Quaternion
     level: int = LEVELS
     fine: bool = True
 
@@ -39,7 +39,7 @@ def render(sprites: Sequence[Sprite], fine: bool) -> list[pygame.Surface]:
     """The pictures of balls of one radius, painted for themselves or looked up in the balls' skins."""
     radius, steps = sprites[0].radius, [sprite.step for sprite in sprites]
     coats = [sprite.coat for sprite in sprites]
-    turns = np.array([matrix(sprite.lie) for sprite in sprites], dtype=np.float32)
+    turns = np.array([matrix(sprite.orientation) for sprite in sprites], dtype=np.float32)
     if not fine:
         return ball_skin.pictures(coats, radius, steps, turns)
     lit = light(radius).at(steps)

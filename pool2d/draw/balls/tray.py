@@ -29,9 +29,13 @@ def sinking(fall: Fall, ball: Placed) -> Placed:
 
 
 def draw(
-    surface: pygame.Surface, room: pygame.Rect, looks: Sequence[Look], style: theme.Style, lie: Quaternion = FACING
+    surface: pygame.Surface,
+    room: pygame.Rect,
+    looks: Sequence[Look],
+    style: theme.Style,
+    orientation: Quaternion = FACING,
 ) -> None:
-    """Draw balls side by side in the middle of `room`, closer together where they are many; all `lie` alike."""
+    """Draw balls side by side in the middle of `room`, closer together where they are many; all lie alike."""
     if not looks:
         return
     radius = room.height * _RADIUS
@@ -42,5 +46,8 @@ def draw(
     pygame.draw.rect(surface, theme.BACKGROUND, trough, border_radius=trough.height // 2)
     pygame.draw.rect(surface, theme.FACE_LIT, trough, 1, border_radius=trough.height // 2)
     left = room.centerx - pitch * (len(looks) - 1) / 2.0
-    row = [Placed(look, (left + i * pitch, room.centery), radius, lie, shadow=False) for i, look in enumerate(looks)]
+    row = [
+        Placed(look, (left + i * pitch, room.centery), radius, orientation, shadow=False)
+        for i, look in enumerate(looks)
+    ]
     ball_art.draw_all(surface, row, style)

@@ -12,8 +12,8 @@ import pygame
 from ...config.files import write_bytes
 from ...errors import InputError
 from ...game.falling import falling
-from ...game.orientations import racked
-from ...physics.orientation import Quaternion, Turning
+from ...game.orientations import racked_orientations
+from ...physics.orientation import BallRotation, Quaternion
 from ...physics.rollout import Rollout
 from ...physics.values import Ball
 from ...table.table import Table
@@ -30,16 +30,19 @@ def frames(table: Table, rollout: Rollout, size: tuple[int, int], times: Iterabl
     """The table at moments of a shot, s."""
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
     background = table_picture.lively(table_picture.draw(table, size, view))
-    turning = Turning(rollout, racked(rollout.start))
+    turning = BallRotation(rollout, racked_orientations(rollout.start))
 
-    def placed(ball: Ball, lie: Quaternion) -> ball_art.Placed:
+    def placed(ball: Ball, orientation: Quaternion) -> ball_art.Placed:
         look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
-        return ball_art.Placed(look, view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale, lie)
+        return ball_art.Placed(look, view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale, orientation)
 
     for t in times:
         picture, layout = background.copy(), rollout.at(t)
         falls = falling(rollout, turning, table.geometry.pockets, t)
-        balls = [tray.sinking(fall, placed(layout[fall.ball]._replace(x=fall.x, y=fall.y), fall.lie)) for fall in falls]
+        balls = [
+            tray.sinking(fall, placed(layout[fall.ball]._replace(x=fall.x, y=fall.y), fall.orientation))
+            for fall in falls
+        ]
         ball_art.draw_all(picture, [*balls, *(placed(ball, turning.at(ball.id, t)) for ball in layout.on_table())])
         yield picture
 

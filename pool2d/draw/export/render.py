@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pygame
 
-from ...game.orientations import racked
+from ...game.orientations import racked_orientations
 from ...table.scenario import Scenario
 from .. import guide
 from ..balls import ball_art
@@ -26,11 +26,11 @@ def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
     picture = table_picture.lively(table_picture.draw(table, size, view))
     guide.draw_whole(picture, scenario.simulate(), table, view)
-    lies = racked(scenario.layout)
+    orientations = racked_orientations(scenario.layout)
     balls = []
     for ball in scenario.layout.on_table():
         look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
         radius = table.body_of(ball)[0] * view.scale
-        balls.append(ball_art.Placed(look, view.to_screen(ball.x, ball.y), radius, lies[ball.id]))
+        balls.append(ball_art.Placed(look, view.to_screen(ball.x, ball.y), radius, orientations[ball.id]))
     ball_art.draw_all(picture, balls)
     picture_file.save(picture, out)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from ...physics.rollout import Rollout
 from ...physics.values import POCKETED, Layout, Shot
 from ...table.table import Table
-from ..referee import read as report_of
+from ..referee import observe as report_of
 from ..rules.report import BALL, POCKET, RAIL, Report
 from ..rules.spotting import nearest, put
 
@@ -23,7 +23,7 @@ MISSES = (
 
 
 @dataclass(frozen=True, slots=True)
-class Rest:
+class RestArea:
     """Where a ball has to come to rest: a box, or a circle of radius `within` round `at`, m."""
 
     ball: str
@@ -56,7 +56,7 @@ class Step:
     driven: int = 0
     clear: bool = False
     via: tuple[str, ...] = ()
-    rest: tuple[Rest, ...] = ()
+    rest: tuple[RestArea, ...] = ()
     respot: bool = False
 
 
@@ -89,7 +89,7 @@ class Drill:
     def most(self) -> int:
         return self.tries * len(self.steps)
 
-    def said(self, language: str) -> Wording:
+    def wording_in(self, language: str) -> Wording:
         """Its name and text in a language, as they are where it has none of it."""
         return self.others.get(language, Wording(self.name, self.text))
 

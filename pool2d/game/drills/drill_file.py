@@ -45,7 +45,7 @@ from ...table.placing import RANGES
 from ...table.position_text import Position, read, read_shot
 from ...table.scenario import scenario_of
 from ...table.table import Table
-from .drill import ANY, Drill, Rest, Step, Wording
+from .drill import ANY, Drill, RestArea, Step, Wording
 
 _BEST = "best.json"
 _KEYS = ("name", "text", "position", "steps", "pass", "tries", "solution")
@@ -187,7 +187,7 @@ def _count(data: Mapping[str, Any], key: str, source: str, prefix: str, least: i
     return value
 
 
-def _rest(data: Any, key: str, source: str) -> Rest:
+def _rest(data: Any, key: str, source: str) -> RestArea:
     if not isinstance(data, dict):
         raise InputError(source, key, data, "allowed is a section with " + ", ".join(_REST_KEYS))
     _known(data, _REST_KEYS, source, key + ".")
@@ -205,7 +205,7 @@ def _rest(data: Any, key: str, source: str) -> Rest:
     within = data.get("within", math.inf)
     if type(within) not in (int, float) or not within > 0.0:
         raise InputError(source, f"{key}.within", within, "allowed is a number above 0, m")
-    return Rest(_of(data, "ball", str, source, key + ".", "cue"), within=float(within), **pairs)
+    return RestArea(_of(data, "ball", str, source, key + ".", "cue"), within=float(within), **pairs)
 
 
 def _of(data: Mapping[str, Any], key: str, kind: type, source: str, prefix: str, default: Any = None) -> Any:

@@ -26,7 +26,7 @@ class DrillSession(Session):
         self.arrange(self.run.standing.layout)
 
     @property
-    def free(self) -> bool:
+    def is_practice(self) -> bool:
         """No: balls and table are the drill's."""
         return False
 

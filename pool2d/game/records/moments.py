@@ -21,6 +21,7 @@ from ...table.table import Table
 from ..actions import Stroke
 from ..match import Match, Moment, lagged
 from ..rules import AIM, CHOOSE, OVER, PLACE, Note, Ruling, State
+from ..rules.base import WRITTEN
 from ..rules.notes import ENGLISH
 from ..rules.report import POCKET, Contact, Report
 from ..tally import Tally
@@ -70,9 +71,9 @@ def moment_of(data: Mapping[str, Any], match: Match, source: str) -> Moment:
     if len(tallies) != players:
         raise InputError(source, TALLIES, len(tallies), f"allowed are those of {players} players")
     breaker, frame, shooter = _numbers(data, TURN, 3, source)
-    for who in (breaker, shooter):
-        if not -1 <= who < players:
-            raise InputError(source, TURN, who, f"allowed is -1 to {players - 1}")
+    for player in (breaker, shooter):
+        if not -1 <= player < players:
+            raise InputError(source, TURN, player, f"allowed is -1 to {players - 1}")
     ruling = Ruling(
         state, layout, _notes(data, "notes", source), _notes(data, "fouls", source), _spotted(data, source),
         _numbers(data, "points", players, source),
@@ -152,12 +153,13 @@ def _state(data: Mapping[str, Any], match: Match, layout: Layout, source: str) -
         for entry in fields(part):
             value = getattr(part, entry.name)
             if not _alike(value, getattr(plain, entry.name)):
-                raise InputError(source, f"{GAME}.{entry.name}", str(value), "allowed is a value of another type")
+                key = f"{GAME}.{WRITTEN.get(entry.name, entry.name)}"
+                raise InputError(source, key, str(value), "allowed is a value of another type")
     ask, players = state.ask, match.rules.players
     if ask.kind not in (AIM, PLACE, CHOOSE, OVER) or (ask.kind in (AIM, PLACE) and ask.ball not in layout):
         raise InputError(source, f"{GAME}.ask", ask.ball or ask.kind, "allowed is what a match can ask for")
-    if not -1 <= ask.who < players or (ask.who < 0 and ask.kind != OVER) or not 0 <= state.turn < players:
-        raise InputError(source, f"{GAME}.ask.who", ask.who, f"allowed is 0 to {players - 1}")
+    if not -1 <= ask.player < players or (ask.player < 0 and ask.kind != OVER) or not 0 <= state.turn < players:
+        raise InputError(source, f"{GAME}.ask.who", ask.player, f"allowed is 0 to {players - 1}")
     if len(state.scores) != players or len(state.fouls) != players:
         raise InputError(source, f"{GAME}.scores", state.scores, f"allowed are those of {players} players")
     return state

@@ -42,7 +42,7 @@ _SEAL = re.compile(rb',"sum":"([0-9a-f]{16})"}')
 _SEALED = len(b',"sum":"0123456789abcdef"}')
 
 
-class Entry(NamedTuple):
+class RecordLine(NamedTuple):
     """A line of a record after the first: its number in the file, counted from 1, and what it holds."""
 
     line: int
@@ -57,10 +57,10 @@ class Record:
     """
 
     path: Path
-    head: Entry
+    head: RecordLine
     setup: Setup
     place: Mapping[str, Any]
-    entries: tuple[Entry, ...]
+    entries: tuple[RecordLine, ...]
     size: int
     sum: str
 
@@ -130,11 +130,11 @@ def load(path: Path, torn: bool = False) -> Record:
         str(head["state"])
     except (KeyError, TypeError, AttributeError) as error:
         raise InputError(source, "", None, f"the header is not whole: {error}", 1) from None
-    entries = tuple(Entry(number, body) for number, body in enumerate(bodies[1:], 2))
+    entries = tuple(RecordLine(number, body) for number, body in enumerate(bodies[1:], 2))
     for entry in entries:
         if not isinstance(entry.data.get("do"), str):
             raise InputError(source, "do", entry.data.get("do"), "allowed is an action", entry.line)
-    return Record(path, Entry(1, head), setup, place, entries, len(content) - len(rest), total)
+    return Record(path, RecordLine(1, head), setup, place, entries, len(content) - len(rest), total)
 
 
 def _unsealed(lines: list[bytes], source: str) -> tuple[list[dict[str, Any]], str]:

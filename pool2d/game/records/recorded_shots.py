@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from ...errors import InputError
-from .record import REDO, UNDO, Entry, Record
-from .replaying import Take, strokes
+from .record import REDO, UNDO, Record, RecordLine
+from .replaying import RecordedShot, strokes
 
 
-class Reel:
+class RecordedShots:
     """The strokes of a record, counted from 0.
 
-    `grow` works out one more, so that a long match opens at once. Where the record no longer plays as it says,
+    `play_next` works out one more, so that a long match opens at once. Where the record no longer plays as it says,
     `fault` tells so, and the strokes before are all there are. `undone` are the lines of strokes that were taken
     back for good; `outdated` is what has become of the table's preset since (`Record.outdated`).
     """
@@ -21,46 +21,46 @@ class Reel:
         self.fault: InputError | None = None
         self.undone = undone(record.entries)
         self.outdated = record.outdated
-        self.takes: list[Take] = []
+        self.played: list[RecordedShot] = []
         self._count: int = sum(entry.data["do"] == "stroke" for entry in record.entries)
         self._coming = strokes(record)
         if not self._count:
             raise InputError(str(record.path), "", None, "no stroke was played")
-        self.grow()
-        if self.fault is not None and not self.takes:
+        self.play_next()
+        if self.fault is not None and not self.played:
             raise self.fault
 
     def __len__(self) -> int:
         return self._count
 
-    def __getitem__(self, at: int) -> Take:
+    def __getitem__(self, at: int) -> RecordedShot:
         """A stroke, or the last that there is before it."""
-        while len(self.takes) <= at and not self.whole:
-            self.grow()
-        return self.takes[min(at, len(self) - 1)]
+        while len(self.played) <= at and not self.complete:
+            self.play_next()
+        return self.played[min(at, len(self) - 1)]
 
     @property
-    def whole(self) -> bool:
+    def complete(self) -> bool:
         """Whether every stroke has been worked out."""
-        return len(self.takes) == self._count
+        return len(self.played) == self._count
 
-    def grow(self) -> Take | None:
+    def play_next(self) -> RecordedShot | None:
         """Work out the next stroke; None where there is no more."""
         try:
             take = next(self._coming, None)
         except InputError as error:
             self.fault, take = error, None
         if take is None:
-            self._count = len(self.takes)
+            self._count = len(self.played)
         else:
-            self.takes.append(take)
+            self.played.append(take)
         return take
 
 
-def undone(entries: tuple[Entry, ...]) -> frozenset[int]:
+def undone(entries: tuple[RecordLine, ...]) -> frozenset[int]:
     """The lines of the strokes that were taken back, and not done again."""
-    done: list[Entry] = []
-    back: list[Entry] = []
+    done: list[RecordLine] = []
+    back: list[RecordLine] = []
     gone: set[int] = set()
     for entry in entries:
         do = entry.data["do"]

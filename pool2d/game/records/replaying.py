@@ -17,7 +17,7 @@ from ..match import Match, Moment
 from . import engine, moments
 from .earlier import digest
 from .engine import Identity, identity_of
-from .record import ENGINE, REDO, UNDO, Entry, Record
+from .record import ENGINE, REDO, UNDO, Record, RecordLine
 
 # Why a line does not come out as it says. Of a record of an earlier version, which does not tell what played it,
 # it is UNKNOWN.
@@ -51,15 +51,15 @@ class DivergenceError(InputError):
         self.found = found
 
 
-class Step(NamedTuple):
+class ReplayedLine(NamedTuple):
     """A line of a record, the match as it stands after it, and how that differs from how it would come out now."""
 
-    entry: Entry
+    entry: RecordLine
     match: Match
     found: Divergence | None
 
 
-class Take(NamedTuple):
+class RecordedShot(NamedTuple):
     """A stroke of a record, to be looked at: its number, counted from 1, its line, and the moment it led to.
 
     `before` is the moment in which it was played. `found` tells where it would come out otherwise now; a shot that
@@ -84,7 +84,7 @@ class Restored(NamedTuple):
     changes: tuple[str, ...]
 
 
-def replayed(record: Record) -> Iterator[Step]:
+def replayed(record: Record) -> Iterator[ReplayedLine]:
     """The match after each line, the first included. It is one match, which goes on with the iteration.
 
     Raises DivergenceError where the record cannot be gone on with: an action is refused, and what it led to is not
@@ -95,7 +95,7 @@ def replayed(record: Record) -> Iterator[Step]:
     then: Identity | None = None
     for entry in (record.head, *record.entries):
         then = identity_of(entry.data.get(ENGINE)) or then
-        yield Step(entry, match, _Line(match, entry, then, source).played())
+        yield ReplayedLine(entry, match, _Line(match, entry, then, source).played())
 
 
 def divergences(record: Record) -> Iterator[Divergence]:
@@ -136,7 +136,7 @@ def restored(record: Record) -> Restored:
     return Restored(step.match, tuple(changes))
 
 
-def strokes(record: Record) -> Iterator[Take]:
+def strokes(record: Record) -> Iterator[RecordedShot]:
     """Every stroke of a record in its order, also those that were undone, each worked out when it is asked for.
 
     Raises InputError where an entry's action is refused.
@@ -147,10 +147,10 @@ def strokes(record: Record) -> Iterator[Take]:
         if entry.data.get("do") == "stroke" and rollout is not None:
             number += 1
             same = rollout.digest() == entry.data.get("digest")
-            yield Take(number, entry.line, match, match.history[-2], match.now, rollout, same, found)
+            yield RecordedShot(number, entry.line, match, match.history[-2], match.now, rollout, same, found)
 
 
-def takes(record: Record) -> list[Take]:
+def recorded_shots(record: Record) -> list[RecordedShot]:
     """Every stroke of a record; raises InputError."""
     return list(strokes(record))
 
@@ -161,7 +161,7 @@ class _Line:
     `then` is what played it, as far as that is told.
     """
 
-    def __init__(self, match: Match, entry: Entry, then: Identity | None, source: str) -> None:
+    def __init__(self, match: Match, entry: RecordLine, then: Identity | None, source: str) -> None:
         self.match = match
         self.data, self.number = entry.data, entry.line
         self.then = then

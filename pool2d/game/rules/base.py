@@ -8,7 +8,7 @@ and a new layout.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import MISSING, asdict, dataclass, field, fields, replace
 from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
 from ...config.knobs import apply
@@ -20,6 +20,8 @@ from .notes import Note
 from .report import Report
 from .spotting import may_place, put, within
 
+# What is called otherwise in JSON than here.
+WRITTEN = {"player": "who"}
 AIM, PLACE, CHOOSE, OVER = "aim", "place", "choose", "over"
 # What an option may be that is on or off.
 YES_NO = ("yes", "no")
@@ -29,18 +31,17 @@ YES_NO = ("yes", "no")
 class Ask:
     """What is to happen next, and who is to do it.
 
-    `kind`: "aim", shoot; "place", put the cue ball on the table first; "choose", pick one of `options`;
-    "over", the game has ended and `who` has won, -1 for nobody. `ball` is the cue ball to be struck; where `cues` are
-    named, any of them may be struck in its place.
-    `where` is the area of a cue ball in hand, "" where it is not in hand: while one aims, a cue ball in
-    hand may still be moved within it. `on` are the balls that may be hit first. `call` is what must be
-    said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket, which the obvious shot
-    needs not. `may` are the other things that may be said, "safety" and "push". `options` are the keys to
-    choose from; a player who is to aim or place may be offered some too, and need not choose.
+    `kind`: "aim", shoot; "place", put the cue ball on the table first; "choose", pick one of `options`; "over",
+    the game has ended and `player` has won, -1 for nobody. `ball` is the cue ball to be struck; where `cues` are
+    named, any of them may be struck in its place. `where` is the area of a cue ball in hand, "" where it is not in
+    hand: while one aims, a cue ball in hand may still be moved within it. `on` are the balls that may be hit
+    first. `call` is what must be said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket,
+    which the obvious shot needs not. `may` are the other things that may be said, "safety" and "push". `options`
+    are the keys to choose from; a player who is to aim or place may be offered some too, and need not choose.
     """
 
     kind: str
-    who: int
+    player: int
     ball: str = ""
     where: str = ""
     on: tuple[str, ...] = ()
@@ -82,11 +83,13 @@ class State:
     @property
     def winner(self) -> int | None:
         """Who has won; None while nobody has."""
-        return self.ask.who if self.over and self.ask.who >= 0 else None
+        return self.ask.player if self.over and self.ask.player >= 0 else None
 
     def as_dict(self) -> dict[str, Any]:
-        """The state in JSON's types."""
-        return asdict(self)
+        """The state in JSON's types; the player who is asked is called `who` there, as records have it."""
+        data = asdict(self)
+        data["ask"] = {WRITTEN.get(name, name): value for name, value in data["ask"].items()}
+        return data
 
 
 class Ruling(NamedTuple):
@@ -187,12 +190,12 @@ class Rules(Generic[S]):
         """What follows when a player gives the game up."""
         return self.ruled(self.ended(state, self.other(player)), layout, Note("concedes", player))
 
-    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+    def pots(self, player: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
         """The balls of a stroke that count as potted by its player.
 
         They stay down, and the stroke was no foul, and the player goes on or has won.
         """
-        if ruling.foul or ruling.ask.who != who:
+        if ruling.foul or ruling.ask.player != player:
             return ()
         spotted, fell = dict(ruling.spotted), report.fallen if self.cue_counts else report.potted
         return tuple(ball for ball in fell if ball not in spotted)
@@ -229,18 +232,18 @@ class Rules(Generic[S]):
         """The object balls on the table."""
         return tuple(ball.id for ball in layout.on_table() if ball.id != self.table.furniture.cue)
 
-    def to_play(self, state: S, layout: Layout, who: int, where: str = "", **more: Any) -> S:
+    def to_play(self, state: S, layout: Layout, player: int, where: str = "", **more: Any) -> S:
         """The state in which a player is to shoot, with the cue ball in hand where an area is named.
 
         It has to be placed first where it is off the table or outside the area.
         """
-        cue = layout[self.cue_of(who)]
+        cue = layout[self.cue_of(player)]
         down = cue.phase != POCKETED and within(self.table, where, cue.x, cue.y)
-        return replace(state, turn=who, ask=Ask(AIM if down or not where else PLACE, who, cue.id, where, **more))
+        return replace(state, turn=player, ask=Ask(AIM if down or not where else PLACE, player, cue.id, where, **more))
 
-    def to_choose(self, state: S, who: int, *options: str) -> S:
+    def to_choose(self, state: S, player: int, *options: str) -> S:
         """The state in which a player has to choose."""
-        return replace(state, ask=Ask(CHOOSE, who, options=options))
+        return replace(state, ask=Ask(CHOOSE, player, options=options))
 
     def ended(self, state: S, winner: int) -> S:
         """The state in which the game is over; -1 where nobody has won."""
@@ -268,12 +271,12 @@ class Rules(Generic[S]):
         """What is next, in words."""
         ask = state.ask
         if ask.kind == OVER:
-            return Note("wins", ask.who) if ask.who >= 0 else Note("draw")
+            return Note("wins", ask.player) if ask.player >= 0 else Note("draw")
         if ask.kind == CHOOSE:
-            return Note("chooses", ask.who)
+            return Note("chooses", ask.player)
         if not state.shots:
-            return Note("break", ask.who)
-        return Note(f"in-hand.{ask.where}" if ask.where else "turn", ask.who)
+            return Note("break", ask.player)
+        return Note(f"in-hand.{ask.where}" if ask.where else "turn", ask.player)
 
     def _placed(self, state: S, layout: Layout, choice: Choice) -> Ruling:
         ask = state.ask
@@ -289,19 +292,23 @@ _AREAS = {"anywhere": "anywhere on the table", "kitchen": "behind the head strin
 
 def _read(kind: type[Any], data: Mapping[str, Any], source: str) -> Any:
     """A dataclass from a dictionary, lists becoming tuples."""
-    known = {entry.name for entry in fields(kind)}
+    known = {WRITTEN.get(entry.name, entry.name): entry.name for entry in fields(kind)}
     for name in data:
         if name not in known:
             raise InputError(source, name, data[name], suggest(name, known))
-    values = {name: _tupled(value) for name, value in data.items()}
+    values = {known[name]: _tupled(value) for name, value in data.items()}
     if "ask" in values and kind is not Ask:
         if not isinstance(data["ask"], Mapping):
             raise InputError(source, "ask", data["ask"], "allowed is what a state's as_dict gives")
         values["ask"] = _read(Ask, data["ask"], source)
-    try:
-        return kind(**values)
-    except TypeError as error:
-        raise InputError(source, "", dict(data), str(error)) from None
+    lacking = [written for written, name in known.items() if name not in values and name in _needed(kind)]
+    if lacking:
+        raise InputError(source, "", dict(data), f"missing is {lacking[0]!r}")
+    return kind(**values)
+
+
+def _needed(kind: type[Any]) -> list[str]:
+    return [entry.name for entry in fields(kind) if entry.default is MISSING and entry.default_factory is MISSING]
 
 
 def _tupled(value: Any) -> Any:

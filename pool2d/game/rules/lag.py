@@ -73,19 +73,19 @@ class Lag(Rules[LagState]):
 
     def judge(self, state: LagState, layout: Layout, report: Report) -> Ruling:
         """What follows from one lag: the other player's, or, after both, the winner's choice or another lag."""
-        who = state.ask.who
+        player = state.ask.player
         ball = layout[report.cue]
         gap = ball.x - self._reach(ball)
         fault = next(self.faults(layout, report), None)
         rests = (*state.rests, gap if fault is None else -1.0)
         state = replace(state, rests=rests, shots=state.shots + 1)
-        good = Note("lag.rest", who, points=round(1000.0 * gap))
-        notes: tuple[Note, ...] = (good,) if fault is None else (Note("lag.bad", who), fault)
+        good = Note("lag.rest", player, points=round(1000.0 * gap))
+        notes: tuple[Note, ...] = (good,) if fault is None else (Note("lag.bad", player), fault)
         if fault is not None:
             # The cue ball stays in the layout; the other is no ball of the game.
-            layout = layout.put(ball.still()._replace(phase=POCKETED)) if who == 0 else layout.without(ball.id)
+            layout = layout.put(ball.still()._replace(phase=POCKETED)) if player == 0 else layout.without(ball.id)
         if len(rests) < self.players:
-            other = self.other(who)
+            other = self.other(player)
             # Back where it belongs, should it have been hit.
             layout = layout.put(self._ball(other))
             return self.ruled(self.to_play(state, layout, other), layout, *notes)
@@ -114,11 +114,11 @@ class Lag(Rules[LagState]):
             yield Note("lag.jaws")
 
     def picked(self, state: LagState, layout: Layout, key: str) -> Ruling:
-        who = state.ask.who
-        return self.begin(who if key == "break" else self.other(who), state)
+        player = state.ask.player
+        return self.begin(player if key == "break" else self.other(player), state)
 
     def next_note(self, state: LagState) -> Note:
-        return super().next_note(state) if state.over or state.ask.options else Note("lag.turn", state.ask.who)
+        return super().next_note(state) if state.over or state.ask.options else Note("lag.turn", state.ask.player)
 
     def _winner(self, state: LagState) -> int | None:
         """Who has won the lag; None where both were bad or too close to call."""

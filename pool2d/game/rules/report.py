@@ -1,4 +1,4 @@
-"""What a referee sees of a shot, and nothing else: the rules judge by this. `witness.read` makes it of a rollout."""
+"""What a referee sees of a shot, and nothing else: the rules judge by this. `referee.observe` makes it of a rollout."""
 
 from __future__ import annotations
 

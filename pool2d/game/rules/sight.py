@@ -48,7 +48,7 @@ class Line(NamedTuple):
         return along - math.sqrt(disc.touch * disc.touch - aside * aside)
 
 
-class View(NamedTuple):
+class SightLines(NamedTuple):
     """What a cue ball may meet on straight lines: the balls on, the balls in their way, the jaws of pockets by name.
 
     `edge` is how near to the outline its middle comes along a cushion; between the jaws of a pocket it comes nearer.
@@ -86,7 +86,7 @@ class View(NamedTuple):
         pocket = mouth(table, place, self.edge) if self.jaws else ""
         return tuple(disc for name, disc in self.jaws if name == pocket)
 
-    def alone(self, other: Disc) -> View:
+    def alone(self, other: Disc) -> SightLines:
         """The view with only one ball in the way, and no jaws."""
         return self._replace(others=(other,), jaws=())
 
@@ -103,7 +103,7 @@ def view(
     on: Collection[str],
     by: Collection[str] | None = None,
     between: bool = False,
-) -> View:
+) -> SightLines:
     """What a cue ball may meet; `by` are the balls that may stand in the way, all that are not on where not given."""
     edge = table.reach(table.body_of(cue)[0])
     jaws = tuple(
@@ -111,7 +111,7 @@ def view(
         for element in table.elements
         if isinstance(element, Jaw) and element.name.endswith(JAW)
     )
-    return View(*_discs(table, layout, cue, on, by), jaws, edge, between)
+    return SightLines(*_discs(table, layout, cue, on, by), jaws, edge, between)
 
 
 def mouth(table: Table, place: Point, edge: float) -> str:

@@ -21,11 +21,11 @@ from ...physics.detect import Jaw, Pocket, Rail
 from ...physics.values import Ball, Layout
 from ...table.outline import Point, edges
 from ...table.table import Table
-from .sight import JAW, Disc, View, view
+from .sight import JAW, Disc, SightLines, view
 from .spotting import HAIR, KITCHEN, D, within
 
 
-class Straight(NamedTuple):
+class StraightLine(NamedTuple):
     """The line of all points whose nx x + ny y is `far`; (nx, ny) is a unit vector."""
 
     nx: float
@@ -33,7 +33,7 @@ class Straight(NamedTuple):
     far: float
 
 
-Curve: TypeAlias = Straight | Disc
+Curve: TypeAlias = StraightLine | Disc
 
 
 class Area:
@@ -92,7 +92,7 @@ class Area:
 
     def _curves(self) -> Iterator[Curve]:
         """What bounds the area: its line or bow, the balls, cushions, the jaws, and the drops that lie behind them."""
-        yield Straight(1.0, 0.0, self.box[2])
+        yield StraightLine(1.0, 0.0, self.box[2])
         if self.where == D:
             yield Disc(self.box[2], self.table.furniture.spots["head"][1], self.table.furniture.d_radius)
         yield from self.balls
@@ -107,7 +107,7 @@ class Area:
             elif isinstance(element, Pocket):
                 yield Disc(element.x, element.y, element.radius)
 
-    def _along(self, a: Point, b: Point, gap: float) -> Iterator[Straight]:
+    def _along(self, a: Point, b: Point, gap: float) -> Iterator[StraightLine]:
         """The line to the left of a segment, where that is near the area."""
         left, low, right, high = self.box
         if min(a[0], b[0]) > right + gap or max(a[0], b[0]) < left - gap:
@@ -116,7 +116,7 @@ class Area:
             return
         size = math.dist(a, b)
         nx, ny = (a[1] - b[1]) / size, (b[0] - a[0]) / size
-        yield Straight(nx, ny, nx * a[0] + ny * a[1] + gap)
+        yield StraightLine(nx, ny, nx * a[0] + ny * a[1] + gap)
 
 
 def vantage(
@@ -139,13 +139,13 @@ def vantage(
     return None
 
 
-def _grazing(area: Area, seen: View, target: Disc) -> list[Straight]:
+def _grazing(area: Area, seen: SightLines, target: Disc) -> list[StraightLine]:
     """The lines across an area that graze a ball on, and at which something comes into their way or leaves it.
 
     None where a ball hides the whole of the area: its shadow has no end there.
     """
     jaws = [jaw for _, jaw in seen.jaws if _crossing(area, target, jaw)]
-    lines: list[Straight] = []
+    lines: list[StraightLine] = []
     for other in seen.others:
         found = _crossing(area, target, other)
         if (
@@ -165,12 +165,12 @@ def _grazing(area: Area, seen: View, target: Disc) -> list[Straight]:
     return lines
 
 
-def _crossing(area: Area, target: Disc, other: Disc) -> list[Straight]:
+def _crossing(area: Area, target: Disc, other: Disc) -> list[StraightLine]:
     """The lines across an area that graze a ball on and another disc, which lies on the way."""
     return [line for line in _common(target, other) if area.crossed(line) and _on_the_way(area, target, other, line)]
 
 
-def _on_the_way(area: Area, target: Disc, other: Disc, line: Straight) -> bool:
+def _on_the_way(area: Area, target: Disc, other: Disc, line: StraightLine) -> bool:
     """Whether a disc lies on a line between where that grazes a ball on and a part of the area."""
     x, y, far = -line.ny, line.nx, line.nx * target.y - line.ny * target.x
     left, low, right, high = area.box
@@ -180,7 +180,7 @@ def _on_the_way(area: Area, target: Disc, other: Disc, line: Straight) -> bool:
     return ahead or (at <= other.touch and min(ends) <= at + other.touch)
 
 
-def _common(ball: Disc, other: Disc) -> Iterator[Straight]:
+def _common(ball: Disc, other: Disc) -> Iterator[StraightLine]:
     """The lines that graze a ball and another disc, or graze the ball where the disc reaches it."""
     wx, wy = other.x - ball.x, other.y - ball.y
     size = math.hypot(wx, wy)
@@ -195,15 +195,15 @@ def _common(ball: Disc, other: Disc) -> Iterator[Straight]:
             turn = math.acos(part / size)
             for angle in (way - turn, way + turn):
                 nx, ny = math.cos(angle), math.sin(angle)
-                yield Straight(nx, ny, nx * ball.x + ny * ball.y + ball.touch)
+                yield StraightLine(nx, ny, nx * ball.x + ny * ball.y + ball.touch)
 
 
-def _crossings(area: Area, lines: list[Straight]) -> Iterator[Point]:
+def _crossings(area: Area, lines: list[StraightLine]) -> Iterator[Point]:
     """The points in the box round the area where these lines cross each other and the straight ends of the area.
 
     Where balls crowd there are thousands of pairs, of which few cross there: most are rejected by x alone.
     """
-    every = [*lines, *(curve for curve in area.curves if isinstance(curve, Straight))]
+    every = [*lines, *(curve for curve in area.curves if isinstance(curve, StraightLine))]
     left, low, right, high = area.box
     left, low, right, high = left - HAIR, low - HAIR, right + HAIR, high + HAIR
     for at, (ax, ay, far) in enumerate(lines):
@@ -215,7 +215,7 @@ def _crossings(area: Area, lines: list[Straight]) -> Iterator[Point]:
                     yield x, y
 
 
-def _touching(area: Area, lines: list[Straight]) -> Iterator[Point]:
+def _touching(area: Area, lines: list[StraightLine]) -> Iterator[Point]:
     """The points in the box round the area where these lines meet the round ends of the area."""
     discs = [curve for curve in area.curves if isinstance(curve, Disc)]
     for line in lines:
@@ -227,13 +227,13 @@ def _touching(area: Area, lines: list[Straight]) -> Iterator[Point]:
 
 def _meet(a: Curve, b: Curve) -> Iterator[Point]:
     """The points where two curves meet."""
-    if isinstance(a, Straight) and isinstance(b, Straight):
+    if isinstance(a, StraightLine) and isinstance(b, StraightLine):
         turn = a.nx * b.ny - a.ny * b.nx
         if turn:
             yield (a.far * b.ny - b.far * a.ny) / turn, (a.nx * b.far - b.nx * a.far) / turn
-    elif isinstance(a, Straight) and isinstance(b, Disc):
+    elif isinstance(a, StraightLine) and isinstance(b, Disc):
         yield from _on_circle(b, a)
-    elif isinstance(a, Disc) and isinstance(b, Straight):
+    elif isinstance(a, Disc) and isinstance(b, StraightLine):
         yield from _on_circle(a, b)
     elif isinstance(a, Disc) and isinstance(b, Disc):
         wx, wy = b.x - a.x, b.y - a.y
@@ -241,10 +241,10 @@ def _meet(a: Curve, b: Curve) -> Iterator[Point]:
         if size:
             nx, ny = wx / size, wy / size
             along = 0.5 * (size + (a.touch - b.touch) * (a.touch + b.touch) / size)
-            yield from _on_circle(a, Straight(nx, ny, nx * a.x + ny * a.y + along))
+            yield from _on_circle(a, StraightLine(nx, ny, nx * a.x + ny * a.y + along))
 
 
-def _on_circle(disc: Disc, line: Straight) -> Iterator[Point]:
+def _on_circle(disc: Disc, line: StraightLine) -> Iterator[Point]:
     """Where a line crosses a circle; where it misses by less than a hair, it touches."""
     gap = line.far - line.nx * disc.x - line.ny * disc.y
     if abs(gap) > disc.touch + HAIR:

@@ -15,7 +15,7 @@ from ..widgets.widget import Button, Gap, Heading, Widget
 from ..wording.words import say
 
 
-def ground(scene: Scene) -> Scene:
+def bottom_scene(scene: Scene) -> Scene:
     """What lies below all dialogs of a scene: one that is asked over another hides it."""
     while isinstance(scene, Dialog):
         scene = scene.below
@@ -72,7 +72,7 @@ class Dialog:
         return after
 
     def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
-        ground(self.below).draw(surface)
+        bottom_scene(self.below).draw(surface)
         shapes.veil(surface)
         unit = Screen(*surface.get_size()).unit
         height = min(self.form.height(unit) + 4 * unit, surface.get_height() - 4 * unit)
@@ -82,7 +82,7 @@ class Dialog:
         self.form.draw(surface)
 
 
-class Ask(Dialog):
+class TextPrompt(Dialog):
     """Asks for a text. `take` gets it, and returns what is wrong with it, or nothing."""
 
     def __init__(self, below: Scene, title: str, label: str, value: str, take: Callable[[str], str]) -> None:

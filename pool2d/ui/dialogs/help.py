@@ -12,7 +12,7 @@ from ..scene import Scene
 from ..screen import Screen
 from ..wording.keys import HANDS, HELD, KEYS, rows
 from ..wording.words import say
-from .dialog import ground
+from .dialog import bottom_scene
 
 Line = tuple[str, str]
 
@@ -34,7 +34,7 @@ class Help:
         return self
 
     def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
-        ground(self.below).draw(surface)
+        bottom_scene(self.below).draw(surface)
         screen = Screen(*surface.get_size())
         page = _laid([*hands(), ("", ""), *keys()], screen)
         unit = screen.unit

@@ -12,7 +12,7 @@ from ..wording.words import say
 from .dialog import Dialog
 
 
-class Shelf(Dialog):
+class ListPage(Dialog):
     """A heading, perhaps with a text below it, and the lines of `entries`; what goes wrong is told above them."""
 
     width = 76
@@ -28,7 +28,7 @@ class Shelf(Dialog):
         """The lines; asked for anew whenever one of them has done something."""
         raise NotImplementedError
 
-    def telling(self, do: Callable[[], str | None]) -> Callable[[], None]:
+    def reporting(self, do: Callable[[], str | None]) -> Callable[[], None]:
         """`do` for a line; what is wrong, which it returns or raises as InputError, is told."""
 
         def done() -> None:

@@ -11,8 +11,8 @@ from ...config.settings import Store
 from ...draw import text, theme
 from ...draw.effects import style_of
 from ..scene import Scene
-from ..widgets.ball_row import Samples
-from ..widgets.inputs import Choice, Slider
+from ..widgets.ball_row import BallRow
+from ..widgets.inputs import Selector, Slider
 from ..widgets.widget import Button, Gap, Heading, Tabs, Toggle, Widget, face, plate, tone
 from ..wording import words
 from ..wording.keys import DEFAULTS, FIXED, KEYS, chord_of, may_be_bound, shown
@@ -34,7 +34,7 @@ _ELSEWHERE = ("screen.width", "screen.height")
 _TALL = 5.4
 
 
-class Options(Dialog):
+class OptionsPage(Dialog):
     """A page of options over another scene; Esc or its button goes back. `store` is what is turned."""
 
     width = 68
@@ -67,7 +67,7 @@ class Options(Dialog):
         if self.page == KEYS_PAGE:
             rows = [KeyRow(action, self._keys_changed) for action in DEFAULTS if action not in FIXED]
             return [Heading(lambda: say("options.keys.intro"), lines=2), *rows]
-        samples = [Samples(lambda: style_of(self.store.values))] if self.page == "balls" else []
+        samples = [BallRow(lambda: style_of(self.store.values))] if self.page == "balls" else []
         return [*samples, *(self._widget(name, knob) for name, knob in self._settings())]
 
     def _settings(self) -> list[tuple[str, Knob]]:
@@ -90,7 +90,7 @@ class Options(Dialog):
             return Toggle(label, lambda: bool(get()), put, hint)
         if isinstance(knob.default, str):
             options = OFFERED.get(name, lambda: knob.choices)
-            return Choice(label, options, lambda: str(get()), put, hint, _told(name))
+            return Selector(label, options, lambda: str(get()), put, hint, _told(name))
         return Slider(label, knob, lambda: float(get()), put, lambda: put(knob.default), hint)
 
     def _open(self, page: str) -> None:
@@ -127,7 +127,7 @@ class KeyRow(Widget):
         self.action = action
         self.changed = changed
         self.hint = say("options.keys.hint", keys=shown(*KEYS.defaults[action]))
-        self.told = ""
+        self.message = ""
         self._wanted = 0
 
     def release(self, pos: tuple[int, int]) -> None:
@@ -152,7 +152,7 @@ class KeyRow(Widget):
 
     def _listen(self, on: bool) -> None:
         self.greedy, self._wanted = on, 0
-        self.told = say("options.keys.press") if on else ""
+        self.message = say("options.keys.press") if on else ""
 
     def _take(self, key: int, mod: int) -> None:
         chord = chord_of(key, mod)
@@ -161,10 +161,10 @@ class KeyRow(Widget):
             self._listen(False)
         elif not may_be_bound(chord):
             if key not in _MODIFIERS:
-                self.told = say("options.keys.fixed", key=shown(chord))
+                self.message = say("options.keys.fixed", key=shown(chord))
         elif owner not in (None, self.action) and chord != self._wanted:
             self._wanted = chord
-            self.told = say("options.keys.taken", key=shown(chord), action=say(f"action.{owner}"))
+            self.message = say("options.keys.taken", key=shown(chord), action=say(f"action.{owner}"))
         else:
             KEYS.bind(self.action, chord)
             self._listen(False)
@@ -175,7 +175,7 @@ class KeyRow(Widget):
         color = theme.ACCENT if focused or self.greedy else theme.TEXT
         name = say(f"action.{self.action}")
         box = self.rect.inflate(0, -unit // 2)
-        if not self.told:
+        if not self.message:
             label = text.fitted(name, size, self.rect.width * 2 // 5 - unit)
             text.draw(surface, label, size, color, (self.rect.left, self.rect.centery), (0.0, 0.5))
             box.width = self.rect.width * 3 // 5
@@ -183,8 +183,8 @@ class KeyRow(Widget):
         edge = theme.ACCENT if self.greedy else tone(hovered)
         plate(surface, box, face(self.pressed or self.greedy, hovered), unit, edge)
         # What is told while the row waits for a key takes all of it.
-        said = f"{name}: {self.told}" if self.told else KEYS.shown(self.action)
-        tint = theme.ACCENT if self.told else theme.TEXT
+        said = f"{name}: {self.message}" if self.message else KEYS.shown(self.action)
+        tint = theme.ACCENT if self.message else theme.TEXT
         text.draw(surface, text.fitted(said, size, box.width - 2 * unit), size, tint, box.center, (0.5, 0.5))
 
 

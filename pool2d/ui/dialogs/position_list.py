@@ -8,14 +8,14 @@ from functools import partial
 from ...errors import InputError
 from ...game import saved_positions
 from ..scene import Scene
-from ..widgets.list_row import Entry
+from ..widgets.list_row import ListRow
 from ..widgets.widget import Widget
 from ..wording.words import say
-from .dialog import Ask
-from .list_page import Shelf
+from .dialog import TextPrompt
+from .list_page import ListPage
 
 
-def ask_for_name(below: Scene, keep: Callable[[str], None]) -> Ask:
+def ask_for_name(below: Scene, keep: Callable[[str], None]) -> TextPrompt:
     """A question for the position's name; `keep` gets it, and may raise InputError.
 
     A name that is taken already is asked for twice before what it names is replaced.
@@ -36,10 +36,10 @@ def ask_for_name(below: Scene, keep: Callable[[str], None]) -> Ask:
     kept = saved_positions.positions()
     word = say("shelf.position")
     number = next(number for number in range(1, len(kept) + 2) if f"{word} {number}" not in kept)
-    return Ask(below, say("shelf.save"), say("saving.name"), f"{word} {number}", take)
+    return TextPrompt(below, say("shelf.save"), say("saving.name"), f"{word} {number}", take)
 
 
-class PositionShelf(Shelf):
+class PositionList(ListPage):
     """The positions kept; `take` gets the name of the one chosen, and returns what is wrong with it, or raises it."""
 
     def __init__(self, below: Scene, take: Callable[[str], str]) -> None:
@@ -50,10 +50,10 @@ class PositionShelf(Shelf):
 
     def entries(self) -> Sequence[Widget]:
         return [
-            Entry(
+            ListRow(
                 name,
-                self.telling(partial(self._open, name)),
-                remove=self.telling(partial(saved_positions.remove, name)),
+                self.reporting(partial(self._open, name)),
+                remove=self.reporting(partial(saved_positions.remove, name)),
             )
             for name in saved_positions.positions()
         ]

@@ -10,10 +10,10 @@ from ...table.preset import differences, save_preset
 from ...table.table import Table
 from ..scene import Scene
 from ..wording.words import say
-from .dialog import Ask
+from .dialog import TextPrompt
 
 
-def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> Ask:
+def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> TextPrompt:
     """A question for the preset's name; `saved` is told where it was written."""
 
     def save(name: str) -> str:
@@ -24,4 +24,6 @@ def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> As
         saved(path)
         return ""
 
-    return Ask(below, say("saving.title"), say("saving.name"), f"{say('saving.my')}-{Path(table.source).stem}", save)
+    return TextPrompt(
+        below, say("saving.title"), say("saving.name"), f"{say('saving.my')}-{Path(table.source).stem}", save
+    )

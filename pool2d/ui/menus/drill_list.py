@@ -9,16 +9,16 @@ from ...draw import theme
 from ...errors import InputError
 from ...game.drills.drill import Drill
 from ...game.drills.drill_file import best, drills, load
-from ..dialogs.list_page import Shelf
+from ..dialogs.list_page import ListPage
 from ..play.drill_scene import DrillPlay, task, title
 from ..play.play import Play
 from ..scene import Scene
-from ..widgets.list_row import Entry
+from ..widgets.list_row import ListRow
 from ..widgets.widget import Heading, Widget
 from ..wording.words import say
 
 
-class DrillShelf(Shelf):
+class DrillList(ListPage):
     """Every drill with its goal and the best result; it is played on a table that looks and sounds as `play` does."""
 
     def __init__(self, below: Scene, play: Play) -> None:
@@ -36,7 +36,7 @@ class DrillShelf(Shelf):
             return Heading(lambda: told, theme.WARNING, lines=2)
         record = best(drill.id)
         note = "" if record is None else say("drill.best", best=record, most=drill.most)
-        return Entry(title(drill), partial(self._open, drill), note, task(drill))
+        return ListRow(title(drill), partial(self._open, drill), note, task(drill))
 
     def _open(self, drill: Drill) -> None:
         home = self.below.home if isinstance(self.below, DrillPlay) else self.below

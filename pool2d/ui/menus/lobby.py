@@ -15,17 +15,17 @@ from ...game.records.recorder import records, resume, unfinished
 from ...game.session import PRACTICE, Session, practice, recorded
 from ..dialogs.dialog import Confirm
 from ..dialogs.help import Help
-from ..dialogs.options import Options
+from ..dialogs.options import OptionsPage
 from ..play.play import Play
-from ..replay.record_list import RecordShelf, about, open_replays
+from ..replay.record_list import RecordList, about, open_replays
 from ..scene import Scene
 from ..wording.ruling_text import title
 from ..wording.words import say
-from .drill_list import DrillShelf
+from .drill_list import DrillList
 from .ended import FrameOver, MatchOver
-from .menu import Banner, Menu, Way, pause_menu
+from .menu import Banner, Menu, MenuEntry, pause_menu
 from .new_match import NewMatch
-from .table_list import TableShelf
+from .table_list import TableList
 
 
 class Lobby:
@@ -39,7 +39,7 @@ class Lobby:
         self.store = store
         self.tell = tell
         self.note = note
-        self._told: InputError | None = None
+        self._reported: InputError | None = None
         self._damaged: Path | None = None
         # What is practised, and how the cue is held there, while a match is played.
         self._practice: tuple[Session, Aim] | None = None
@@ -52,11 +52,11 @@ class Lobby:
         """What the game can be asked for."""
         entries = [
             *self._going_on(lambda: menu),
-            Way(lambda: say("menu.new"), lambda: self._new_match(menu)),
-            Way(lambda: title(PRACTICE), lambda: self.play),
-            Way(lambda: say("menu.tables"), lambda: TableShelf(menu, self.play)),
-            Way(lambda: say("drill.title"), lambda: DrillShelf(menu, self.play)),
-            Way(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds, self.menu)),
+            MenuEntry(lambda: say("menu.new"), lambda: self._new_match(menu)),
+            MenuEntry(lambda: title(PRACTICE), lambda: self.play),
+            MenuEntry(lambda: say("menu.tables"), lambda: TableList(menu, self.play)),
+            MenuEntry(lambda: say("drill.title"), lambda: DrillList(menu, self.play)),
+            MenuEntry(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds, self.menu)),
             *self._always(lambda: menu),
         ]
         menu = Menu(self.play, Banner(), entries)
@@ -66,12 +66,12 @@ class Lobby:
         """What can be done in the middle of a game; where its frame is over, how it ended."""
         if (end := self.ended()) is not None:
             return end
-        entries = [Way(lambda: say("pause.resume"), lambda: self.play)]
-        if not self.play.session.free:
-            entries.append(Way(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
-            entries.append(Way(lambda: say("pause.stalemate"), lambda: self._ask_to_begin_again(menu)))
+        entries = [MenuEntry(lambda: say("pause.resume"), lambda: self.play)]
+        if not self.play.session.is_practice:
+            entries.append(MenuEntry(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
+            entries.append(MenuEntry(lambda: say("pause.stalemate"), lambda: self._ask_to_begin_again(menu)))
         entries += self._always(lambda: menu)
-        entries.insert(-1, Way(lambda: say("pause.leave"), self.leave))
+        entries.insert(-1, MenuEntry(lambda: say("pause.leave"), self.leave))
         menu = pause_menu(self.play, entries)
         return menu
 
@@ -86,14 +86,14 @@ class Lobby:
 
     def begin(self, session: Session) -> Scene:
         """Play a session, in place of the one so far; what follows from where it stands."""
-        if self.play.session.free:
+        if self.play.session.is_practice:
             self._practice = self.play.session, self.play.hands.aim
         self.play.begin(session)
         return self.ended() or self.play
 
     def leave(self) -> Scene:
         """Go to the menu; a match that is left can be continued, and practice goes on where it was."""
-        if not self.play.session.free:
+        if not self.play.session.is_practice:
             session, aim = self._practice or (practice(self.play.session.table, _seed()), Aim())
             self.play.begin(session)
             self.play.hands.aim = aim
@@ -103,36 +103,36 @@ class Lobby:
         """Tell once where the record of the match can no longer be written."""
         recorder = self.play.session.recorder
         fault = None if recorder is None else recorder.fault
-        if fault is not None and fault is not self._told:
+        if fault is not None and fault is not self._reported:
             self.tell(str(fault))
-        self._told = fault
+        self._reported = fault
 
     # What entries lead to.
 
-    def _always(self, here: Callable[[], Scene]) -> list[Way]:
+    def _always(self, here: Callable[[], Scene]) -> list[MenuEntry]:
         """The entries that every menu has."""
         return [
-            Way(lambda: say("options.title"), lambda: Options(here(), self.store)),
-            Way(lambda: say("menu.help"), lambda: Help(here())),
-            Way(lambda: say("menu.quit"), lambda: None),
+            MenuEntry(lambda: say("options.title"), lambda: OptionsPage(here(), self.store)),
+            MenuEntry(lambda: say("menu.help"), lambda: Help(here())),
+            MenuEntry(lambda: say("menu.quit"), lambda: None),
         ]
 
-    def _going_on(self, here: Callable[[], Scene]) -> list[Way]:
+    def _going_on(self, here: Callable[[], Scene]) -> list[MenuEntry]:
         """The entries for the latest match that is not finished, and for all of them where there are more."""
         self._look_at_latest()
         paths = unfinished()
         try:
-            told = [_told(path) for path in paths[:1]]
+            told = [_match_details(path) for path in paths[:1]]
         except (InputError, OSError):
             return []
-        ways = [Way(lambda: say("menu.continue"), lambda: self._resume(paths[0]), details) for details in told]
+        ways = [MenuEntry(lambda: say("menu.continue"), lambda: self._resume(paths[0]), details) for details in told]
         if len(paths) > 1:
-            ways.append(Way(lambda: say("menu.others"), lambda: self._others(here())))
+            ways.append(MenuEntry(lambda: say("menu.others"), lambda: self._others(here())))
         return ways
 
     def _others(self, menu: Scene) -> Scene:
         """The matches that can be continued, to choose one of."""
-        return RecordShelf(menu, lambda: say("menu.others"), unfinished, self._taken_up, self.menu)
+        return RecordList(menu, lambda: say("menu.others"), unfinished, self._taken_up, self.menu)
 
     def _look_at_latest(self) -> None:
         """Tell once where the record of the match played last is damaged, as it cannot be continued."""
@@ -166,10 +166,10 @@ class Lobby:
 
     def _ask_to_concede(self, menu: Scene) -> Scene:
         session = self.play.session
-        name = session.match.names[session.ask.who]
+        name = session.match.names[session.ask.player]
 
         def concede() -> Scene:
-            session.concede(session.ask.who)
+            session.concede(session.ask.player)
             return self.ended() or self.play
 
         return Confirm(menu, say("pause.concedes", name=name), say("pause.concede"), concede)
@@ -180,7 +180,7 @@ class Lobby:
         def begin_again() -> Scene:
             session.stalemate()
             self.play.drop()
-            self.play.tell_the_word()
+            self.play.tell_standing_message()
             return self.play
 
         return Confirm(menu, say("pause.stalemates"), say("pause.stalemate"), begin_again)
@@ -202,7 +202,7 @@ def _seed() -> int:
     return random.randrange(1 << 30)
 
 
-def _told(path: Path) -> Callable[[], tuple[str, str]]:
+def _match_details(path: Path) -> Callable[[], tuple[str, str]]:
     """What the menu says of a match that can be continued."""
     players, game, when = about(path)
     return lambda: (players, f"{title(game)}   \N{MIDDLE DOT}   {when}")

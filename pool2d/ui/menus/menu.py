@@ -8,13 +8,13 @@ from typing import NamedTuple
 import pygame
 
 from ...draw import shapes, text, theme
-from ..dialogs.dialog import Dialog, ground
+from ..dialogs.dialog import Dialog, bottom_scene
 from ..scene import Scene
 from ..widgets.widget import Gap, Heading, Widget
 from ..wording.words import say
 
 
-class Way(NamedTuple):
+class MenuEntry(NamedTuple):
     """A line of a menu: its text, the scene it leads to, None to quit, and perhaps small lines below.
 
     The texts are asked anew for every picture, as the language may change.
@@ -30,7 +30,7 @@ class Item(Widget):
 
     ringed = False
 
-    def __init__(self, entry: Way, choose: Callable[[Way], None]) -> None:
+    def __init__(self, entry: MenuEntry, choose: Callable[[MenuEntry], None]) -> None:
         super().__init__()
         self.entry = entry
         self.choose = choose
@@ -70,7 +70,7 @@ class Menu(Dialog):
 
     width = 44
 
-    def __init__(self, below: Scene, head: Widget, entries: Sequence[Way]) -> None:
+    def __init__(self, below: Scene, head: Widget, entries: Sequence[MenuEntry]) -> None:
         super().__init__(below, "", [])
         self.items = [Item(entry, self._choose) for entry in entries]
         rows: list[list[Widget]] = [[head], [Gap(0.4)]]
@@ -80,7 +80,7 @@ class Menu(Dialog):
 
     @property
     def still(self) -> bool:
-        return ground(self.below).still
+        return bottom_scene(self.below).still
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         after = super().handle(event)
@@ -94,7 +94,7 @@ class Menu(Dialog):
             item.here = item is self.form.focus
         super().draw(surface)
 
-    def _choose(self, entry: Way) -> None:
+    def _choose(self, entry: MenuEntry) -> None:
         after = entry.do()
         if after is not self:
             self.go(after)
@@ -113,6 +113,6 @@ class Banner(Widget):
         shapes.rounded(surface, line, theme.ACCENT, unit)
 
 
-def pause_menu(below: Scene, entries: Sequence[Way]) -> Menu:
+def pause_menu(below: Scene, entries: Sequence[MenuEntry]) -> Menu:
     """The menu in the middle of a game."""
     return Menu(below, Heading(lambda: say("pause.title"), theme.TEXT, large=True), entries)

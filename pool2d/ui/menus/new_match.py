@@ -18,7 +18,7 @@ from ...table.table import Table
 from ..dialogs.dialog import Dialog
 from ..scene import Scene
 from ..widgets.field import TextField
-from ..widgets.inputs import Choice
+from ..widgets.inputs import Selector
 from ..widgets.widget import Button, Gap, Heading, Toggle, Widget
 from ..wording import ruling_text
 from ..wording.words import say, say_or
@@ -134,7 +134,7 @@ class NewMatch(Dialog):
 
     def _lay_out(self) -> None:
         options = self._option_widgets()
-        breaks = Choice(
+        breaks = Selector(
             say("setting.match.breaks"), lambda: BREAKS, lambda: self.breaks, self._take_breaks,
             say("setting.match.breaks_hint"),
             lambda name: say(f"match.breaks_by.{name}"),
@@ -144,7 +144,7 @@ class NewMatch(Dialog):
                 [Heading(lambda: say("match.title"), theme.TEXT, large=True)],
                 [Gap(0.2)],
                 [
-                    Choice(
+                    Selector(
                         say("setting.match.game"),
                         lambda: self.games,
                         lambda: self.game,
@@ -154,7 +154,7 @@ class NewMatch(Dialog):
                     )
                 ],
                 [
-                    Choice(
+                    Selector(
                         say("setting.match.table"),
                         lambda: self.tables,
                         lambda: self.table,
@@ -165,7 +165,7 @@ class NewMatch(Dialog):
                 [Gap(0.2)],
                 [*self.fields],
                 [
-                    Choice(
+                    Selector(
                         say("setting.match.race"),
                         lambda: _RACES,
                         lambda: self.race,
@@ -174,7 +174,7 @@ class NewMatch(Dialog):
                     )
                 ],
                 [
-                    Choice(
+                    Selector(
                         say("setting.match.breaker"),
                         self._breakers,
                         lambda: self.breaker,
@@ -212,10 +212,10 @@ class NewMatch(Dialog):
         if knob.choices == YES_NO:
             return Toggle(label, lambda: get() == "yes", lambda on: put("yes" if on else "no"), hint)
         if knob.choices:
-            return Choice(label, lambda: knob.choices, lambda: str(get()), put, hint, _choice)
+            return Selector(label, lambda: knob.choices, lambda: str(get()), put, hint, _choice)
         steps = [f"{step}" for step in _LADDER if knob.lo <= step <= knob.hi]
         # What a number means that is none, such as no limit.
-        return Choice(
+        return Selector(
             label, lambda: steps, lambda: f"{float(get()):g}", lambda step: put(float(step)), hint,
             lambda step: say_or(f"option.{name}_{step}", step),
         )  # fmt: skip
@@ -277,7 +277,7 @@ class NewMatch(Dialog):
         """Who may be said to break first, as a setup has them."""
         table = self._loaded()
         lag = table is not None and self.game != "" and can_lag(GAMES[self.game], table)
-        return [str(who) for who in (COIN, *([LAG] if lag else []), 0, 1)]
+        return [str(player) for player in (COIN, *([LAG] if lag else []), 0, 1)]
 
     def _who(self, breaker: str) -> str:
         if breaker == str(COIN):

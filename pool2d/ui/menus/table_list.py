@@ -9,16 +9,16 @@ from ...errors import InputError
 from ...game.rules import games_for
 from ...game.session import PRACTICE
 from ...table.preset import load_table, presets
-from ..dialogs.list_page import Shelf
+from ..dialogs.list_page import ListPage
 from ..play.play import Play
 from ..scene import Scene
-from ..widgets.list_row import Entry
+from ..widgets.list_row import ListRow
 from ..widgets.widget import Widget
 from ..wording.ruling_text import table_title, title
 from ..wording.words import say
 
 
-class TableShelf(Shelf):
+class TableList(ListPage):
     """Every preset, one's own too, with the games that it has the balls for; practice goes on there."""
 
     def __init__(self, below: Scene, play: Play) -> None:
@@ -29,13 +29,13 @@ class TableShelf(Shelf):
         return [self._entry(name) for name in presets()]
 
     def _entry(self, name: str) -> Widget:
-        do = self.telling(partial(self._open, name))
+        do = self.reporting(partial(self._open, name))
         try:
             table = load_table(name)
         except InputError as error:
-            return Entry(name, do, below=str(error))
+            return ListRow(name, do, below=str(error))
         games = ", ".join(title(game) for game in games_for(table) if game != PRACTICE)
-        return Entry(table_title(table), do, below=games)
+        return ListRow(table_title(table), do, below=games)
 
     def _open(self, name: str) -> None:
         self.play.open_table(name)

@@ -23,7 +23,7 @@ _WIDE = 19
 _CHOOSING = (pygame.K_TAB, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_SPACE)
 
 
-class Referee:
+class CallStrip:
     """The strip of buttons in the lower bar, which offers just what the ruling allows; `calls` is what was said."""
 
     def __init__(self) -> None:
@@ -73,12 +73,12 @@ class Referee:
         """What to say of an aim that would hit a ball that is not on; empty where all is well."""
         ask, calls = session.ask, self.calls
         wanted = (calls.ball,) if ask.call == "ball" and calls.ball else ask.on
-        free = session.free or calls.push or ask.kind != AIM or ask.cues
+        free = session.is_practice or calls.push or ask.kind != AIM or ask.cues
         if free or not aimed or not wanted or aimed in wanted:
             return ""
         return say("referee.not_on", ball=ruling_text.ball(aimed))
 
-    def told(self, session: Session, aimed: str) -> str:
+    def message(self, session: Session, aimed: str) -> str:
         """What has been called, in words, and what is missing of it; empty where nothing has been pointed out."""
         ball, pocket = self.calls.meant(session), self.calls.pocket
         if session.ask.cues or not (ball or pocket):
@@ -96,7 +96,7 @@ class Referee:
         # To put the cue ball down is no news.
         moment = next(moment for moment in reversed(session.match.history) if not placing(moment))
         said = [ruling_text.verdict(moment, session.match)]
-        if ask.kind in (AIM, PLACE) and not session.free:
+        if ask.kind in (AIM, PLACE) and not session.is_practice:
             said += self._on(ask)
         if self.calls.pockets(session) and not (self.calls.ball or self.calls.pocket):
             said.append(say("referee.may_call"))

@@ -10,7 +10,7 @@ import pygame
 from ...draw import cue_motion, pen, theme
 from ...errors import BudgetError, InputError
 from ...game.aim import Aim
-from ...game.drills.drill import Drill, Rest, Run, judge, start
+from ...game.drills.drill import Drill, RestArea, Run, judge, start
 from ...game.drills.drill_file import best, drills, keep, load
 from ...game.drills.drill_session import DrillSession
 from ...physics.simulate import simulate
@@ -42,7 +42,7 @@ class DrillPlay(Play):
         self._shown: list[Playback] = []
         self._aimed: Aim | None = None
         self._keys |= {"same_shot": self._rack, "next_drill": self._next_drill, "solution": self._solution}
-        self.told = self._goal
+        self.message = self._goal
 
     @property
     def seen(self) -> Run:
@@ -63,7 +63,7 @@ class DrillPlay(Play):
     # What is told.
 
     @property
-    def word(self) -> Callable[[], str]:
+    def standing_message(self) -> Callable[[], str]:
         """What is told again once other things have been read."""
         return self._outcome if self._between else self._goal
 
@@ -127,20 +127,20 @@ class DrillPlay(Play):
             self.best = best(self.drilling.drill.id)
         self.drilling.again()
         self.drop()
-        self.told = self._goal
+        self.message = self._goal
 
     def _undo(self) -> None:
-        self.told = lambda: say("drill.no_undo", key=KEYS.shown("same_shot"))
+        self.message = lambda: say("drill.no_undo", key=KEYS.shown("same_shot"))
 
     def _tune(self) -> None:
-        self.told = lambda: say("play.practice_only")
+        self.message = lambda: say("play.practice_only")
 
     def _cancel(self) -> None:
         if self.hands.busy:
             super()._cancel()
         elif self._shown or self.playback is not None:
             self.drop()
-            self.told = self.word
+            self.message = self.standing_message
         else:
             self.go_to(self.home)
 
@@ -175,7 +175,7 @@ class DrillPlay(Play):
         if self._shown:
             self._show_next()
         else:
-            self.told = lambda: say("drill.no_solution")
+            self.message = lambda: say("drill.no_solution")
 
     def _show_next(self) -> None:
         shown = self._shown.pop(0)
@@ -187,7 +187,7 @@ class DrillPlay(Play):
             self.hands.aim = Aim.of(shown.shot)
         strokes = len(self.drilling.drill.solution)
         number = strokes - len(self._shown)
-        self.told = lambda: say("drill.solution", number=number, strokes=strokes)
+        self.message = lambda: say("drill.solution", number=number, strokes=strokes)
 
     def _aim_as_before(self) -> None:
         """Aim as the player did before the solution was shown."""
@@ -206,7 +206,7 @@ class DrillPlay(Play):
             self._show_next()
         else:
             self._aim_as_before()
-            self.told = self._outcome if self._between or not shown.again else self._goal
+            self.message = self._outcome if self._between or not shown.again else self._goal
 
     # What is marked.
 
@@ -222,7 +222,7 @@ class DrillPlay(Play):
                 pen.ring(surface, theme.ACCENT, view.to_screen(pocket.x, pocket.y), pocket.radius * view.scale, 2.5)
         return True
 
-    def _area(self, surface: pygame.Surface, rest: Rest) -> None:
+    def _area(self, surface: pygame.Surface, rest: RestArea) -> None:
         """Tint where a ball has to come to rest, its middle within."""
         table, view = self.drilling.drill.table, self.stage.view
         color = theme.IVORY if rest.ball == table.furniture.cue else theme.GUIDE_BALL

@@ -112,7 +112,7 @@ class Editing:
         ball = self._meant(pos, button)
         if button == _LEFT and (ball is None or ball.id != play.session.cue.id or play.session.in_hand):
             return False
-        if (ball is None and not play.session.free) or (ball is not None and not self._may_move(ball.id)):
+        if (ball is None and not play.session.is_practice) or (ball is not None and not self._may_move(ball.id)):
             return False
         if ball is None:
             self._grip = Grip(button, pos, "")
@@ -152,12 +152,12 @@ class Editing:
         play = self.play
         play.hands.hold = pos
         if grip.moved and play.in_hand.held(play.session) is not None:
-            if play.session.free and play.in_hand.ball and play.stage.screen.top.collidepoint(pos):
+            if play.session.is_practice and play.in_hand.ball and play.stage.screen.top.collidepoint(pos):
                 self.remove()
             elif not self.place():
                 self._refuse()
         elif grip.button == _LEFT and not grip.moved:
-            play.referee.calls.point_out(*play.stage.view.to_table(*pos), play.session)
+            play.call_strip.calls.point_out(*play.stage.view.to_table(*pos), play.session)
         elif grip.button == _RIGHT and not grip.moved:
             if grip.ball:
                 self._take_off(grip.ball)
@@ -225,7 +225,7 @@ class Editing:
             return True
         if placed:
             play.hands.hold = play.hands.pointer
-            play.tell_the_word()
+            play.tell_standing_message()
         return placed
 
     # What all of them do.
@@ -237,7 +237,7 @@ class Editing:
         play.hands.hold = play.hands.pointer
         name = ball_name(ball, play.session.table.furniture.cue)
         place, off = KEYS.shown("strike"), KEYS.shown("remove_ball")
-        if play.session.free:
+        if play.session.is_practice:
             self._tell(lambda: say("edit.held", ball=name, place=place, off=off))
         else:
             self._tell(lambda: say("edit.cue_held", ball=name, place=place))
@@ -251,7 +251,7 @@ class Editing:
 
     def _may_move(self, ball: str) -> bool:
         session = self.play.session
-        return session.free or (session.movable and ball == session.cue.id)
+        return session.is_practice or (session.movable and ball == session.cue.id)
 
     def _tell(self, told: Callable[[], str]) -> None:
-        self.play.told = lambda: begun(told())
+        self.play.message = lambda: begun(told())

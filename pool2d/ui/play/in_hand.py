@@ -77,4 +77,4 @@ class InHand:
 
     def _given(self, session: Session) -> bool:
         """Whether the rules have given the ball, and so say where it may stand."""
-        return not self.ball or not session.free
+        return not self.ball or not session.is_practice

@@ -20,14 +20,14 @@ from ..wording.words import say
 from . import play_view
 from .editing import Editing
 from .positions import Positions
-from .session_scene import Sitting
+from .session_scene import SessionScene
 from .tuning import Tuning
 
 _BY_HAND = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEWHEEL)
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
 
-class Play(Sitting):
+class Play(SessionScene):
     """A session and the hands that play it: what each event means to it."""
 
     def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
@@ -64,7 +64,7 @@ class Play(Sitting):
         """Whether it would look the same at the next frame, unless an event comes."""
         if self.playback is not None:
             return self.playback.still and self.stage.still and self.tuning is None
-        read = self.word is None or self.told == self.word
+        read = self.standing_message is None or self.message == self.standing_message
         return read and not self._guarded and self.stage.still and self.tuning is None
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
@@ -155,7 +155,7 @@ class Play(Sitting):
             self._strike(speed, drawn=True)
         elif clicked:
             # What is a pull with a drag means the ball or the pocket without.
-            self.referee.calls.point_out(*self.stage.view.to_table(*pos), self.session)
+            self.call_strip.calls.point_out(*self.stage.view.to_table(*pos), self.session)
             self.hands.hold = pos
 
     # What hands and keys lead to.
@@ -171,24 +171,24 @@ class Play(Sitting):
             return False
         moment = self.session.match.now
         try:
-            taken = self.referee.handle(event, self.session)
+            taken = self.call_strip.handle(event, self.session)
         except InputError as error:
             self.tell(str(error))
             return True
         if self.session.match.now is not moment:
             self.hands.armed = False
             self.drop()
-            self.tell_the_word()
+            self.tell_standing_message()
             self._next = self.ended()
         return taken
 
     def _next_guide(self) -> None:
         self.level = (self.level + 1) % len(GUIDES)
-        self.told = lambda: say("play.guide", level=say(f"choice.{GUIDES[self.level]}"))
+        self.message = lambda: say("play.guide", level=say(f"choice.{GUIDES[self.level]}"))
 
     def _put_down(self) -> None:
         if self.hands.pull is not None:
-            self.told = lambda: say("play.put_down")
+            self.message = lambda: say("play.put_down")
         self.hands.put_down()
 
     def _cancel(self) -> None:
@@ -218,7 +218,7 @@ class Play(Sitting):
             self._strike(self.hands.aim.speed)
         else:
             self.hands.armed = True
-            self.told = lambda: say("play.armed", key=KEYS.shown("strike"))
+            self.message = lambda: say("play.armed", key=KEYS.shown("strike"))
 
     @property
     def _guarded(self) -> bool:
@@ -234,7 +234,7 @@ class Play(Sitting):
     def _place(self) -> None:
         if not self.editing.place():
             told = self.in_hand.refused(self.session)
-            self.told = lambda: told
+            self.message = lambda: told
 
     def update(self, dt: float) -> Scene | None:
         self.pass_time(dt)
@@ -260,7 +260,7 @@ class Play(Sitting):
 
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:
-            self.told = lambda: say("play.saved", path=path)
+            self.message = lambda: say("play.saved", path=path)
 
         self._next = ask_to_save(self, self.session.table, saved)
 

@@ -16,8 +16,7 @@ from ...game.rules.spotting import KITCHEN, D
 from ...physics.strike import hop, miscue_limit
 from ..scene import Boxes
 from ..screen import Screen
-from ..stage import bars as hud
-from ..stage import scoreboard
+from ..stage import bars, scoreboard
 from ..stage.legend import draw_legend
 from ..stage.playback import Playback
 from ..stage.shot_view import in_motion
@@ -37,7 +36,7 @@ def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> Boxes:
     filled = play.stage.begin(surface, play.session.table, panel, kept)
     covered = play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None
     over: Boxes = None
-    bars = [screen.top, screen.bottom]
+    changed = [screen.top, screen.bottom]
     if play.playback is None:
         _at_rest(surface, play)
     else:
@@ -49,19 +48,21 @@ def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> Boxes:
     if play.playback is not None and play.playback.running:
         # A cue may have been drawn over the bars.
         there = filled is not None and over is not None
-        bars = play.stage.bars.show(surface, screen, _told(play, play.playback), lambda: _bars(surface, play), there)
+        changed = play.stage.bars.show(
+            surface, screen, _bars_key(play, play.playback), lambda: _bars(surface, play), there
+        )
         play.stage.over = None if covered else over
     else:
         _bars(surface, play)
     if play.playback is not None and play.playback.review:
         play.timeline.place(screen, panel)
         play.timeline.draw(surface, play.playback, play.session.table)
-        bars.append(screen.bottom)
+        changed.append(screen.bottom)
     if play.playback is None:
-        play.referee.draw(surface)
+        play.call_strip.draw(surface)
     if play.tuning is not None:
         play.tuning.draw(surface)
-    return None if covered or filled is None or over is None else [*filled, *over, *bars]
+    return None if covered or filled is None or over is None else [*filled, *over, *changed]
 
 
 def notes(play: Play, speed: float) -> str:
@@ -69,11 +70,11 @@ def notes(play: Play, speed: float) -> str:
     session, shot = play.session, play.hands.aim.shot(play.session.cue.id, speed)
     if play.playback is not None or session.ask.kind != AIM or speed == 0.0:
         return ""
-    aimed = play.aimed(shot) if play.level or play.referee.calls.pocket else ""
-    off = play.referee.warning(session, aimed) if play.level else ""
+    aimed = play.aimed(shot) if play.level or play.call_strip.calls.pocket else ""
+    off = play.call_strip.warning(session, aimed) if play.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
     slips = say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
-    return " ".join(filter(None, (play.referee.told(session, aimed), off, slips, hop_note(play, speed))))
+    return " ".join(filter(None, (play.call_strip.message(session, aimed), off, slips, hop_note(play, speed))))
 
 
 def hop_note(play: Play, speed: float) -> str:
@@ -93,10 +94,10 @@ def _at_rest(surface: pygame.Surface, play: Play) -> None:
     held = play.in_hand.held(session)
     aiming = held is None and session.ask.kind == AIM
     if play.tuning is not None and hands.pull is None:
-        stage.ways(surface, play.tuning.old, play.tuning.other, play.tuning.new)
+        stage.comparison(surface, play.tuning.old, play.tuning.other, play.tuning.new)
     elif aiming and hands.speed > 0.0:
         stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
-    if aiming and session.movable and not session.free:
+    if aiming and session.movable and not session.is_practice:
         stage.glow(surface, session.cue)
     stage.balls(surface, session.layout, session.rollout, but=held.id if held is not None else "")
     if held is not None:
@@ -104,8 +105,8 @@ def _at_rest(surface: pygame.Surface, play: Play) -> None:
         stage.in_hand(surface, held, play.in_hand.may_stand(session))
     elif aiming:
         shot = hands.aim.shot(session.cue.id, hands.aim.speed)
-        aimed = play.aimed(shot) if play.referee.calls.pocket else ""
-        play.referee.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
+        aimed = play.aimed(shot) if play.call_strip.calls.pocket else ""
+        play.call_strip.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
         cue.draw(surface, session.table, session.cue, hands.aim, cue_motion.stand(hands.drawn), stage.view)
 
 
@@ -141,10 +142,10 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
     draw_legend(surface, stage.screen)
 
 
-def _told(play: Play, shown: Playback) -> Hashable:
+def _bars_key(play: Play, shown: Playback) -> Hashable:
     """What the bars tell while a shot runs."""
     stage, tuning = play.stage, play.tuning
-    drawn = (stage.screen, stage.style, stage.down, play.hands.aim, play.message, play.warning, manner())
+    drawn = (stage.screen, stage.style, stage.pocketed, play.hands.aim, play.message_text, play.warning, manner())
     # What stands to the players' credit comes with the moment, a drill's run with its stroke; it is told of a shot
     # only when it is seen again.
     error = tuning.error if tuning is not None else ""
@@ -154,9 +155,9 @@ def _told(play: Play, shown: Playback) -> Hashable:
 def _bars(surface: pygame.Surface, play: Play) -> None:
     session, screen, hands = play.session, play.stage.screen, play.hands
     if session.match.rules.players == 1:
-        hud.draw_bars(surface, screen, *play.titles)
+        bars.draw_bars(surface, screen, *play.titles)
     else:
-        hud.draw_bars(surface, screen, "", "")
+        bars.draw_bars(surface, screen, "", "")
         # While a shot runs for the first time, what comes of it is not told yet.
         first = play.playback is not None and not play.playback.again
         scoreboard.draw(surface, screen, session.match, session.match.history[-2 if first else -1])
@@ -167,8 +168,8 @@ def _bars(surface: pygame.Surface, play: Play) -> None:
         if struck is not None:
             # The pointer that moves meanwhile aims at nothing yet.
             aim, speed = replace(aim, angle=struck.angle), struck.speed
-        hud.draw_controls(surface, screen, aim, speed, session.table.knobs.cue.tip_friction)
+        bars.draw_controls(surface, screen, aim, speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
-    message = wrong or f"{play.message} {notes(play, hands.speed)}".strip()
-    taken = play.referee.place(screen, session) if play.playback is None else 0
-    hud.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)
+    message = wrong or f"{play.message_text} {notes(play, hands.speed)}".strip()
+    taken = play.call_strip.place(screen, session) if play.playback is None else 0
+    bars.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)

@@ -10,7 +10,7 @@ from ...game import arranging, saved_positions
 from ...table.placing import mirrored
 from ...table.position_text import Position, read, write
 from ...table.scenario import Scenario, scenario_of
-from ..dialogs.position_list import PositionShelf, ask_for_name
+from ..dialogs.position_list import PositionList, ask_for_name
 from ..widgets import clipboard
 from ..wording.keys import KEYS
 from ..wording.words import say
@@ -93,7 +93,7 @@ class Positions:
     def open(self) -> None:
         """Choose one of the positions that are kept."""
         if self.play.practising():
-            self.play.go_to(PositionShelf(self.play, self._open))
+            self.play.go_to(PositionList(self.play, self._open))
 
     def load(self, scenario: Scenario) -> bool:
         """Set up a scenario, on its own table; False, and nothing is changed, where it is no position to play."""
@@ -112,7 +112,7 @@ class Positions:
     def _open(self, name: str) -> str:
         """Set up a position by name; returns what is wrong with it, or nothing. Raises InputError for its file."""
         if not self.load(saved_positions.load(name)):
-            return self.play.message
+            return self.play.message_text
         self._tell(lambda: say("edit.opened", name=name))
         return ""
 
@@ -130,4 +130,4 @@ class Positions:
         )
 
     def _tell(self, told: Callable[[], str]) -> None:
-        self.play.told = told
+        self.play.message = told

@@ -25,7 +25,7 @@ from ..stage.timeline import Timeline
 from ..wording import ruling_text, shot_text
 from ..wording.keys import KEYS
 from ..wording.words import say
-from .call_strip import Referee
+from .call_strip import CallStrip
 from .hands import Hands
 from .in_hand import InHand
 from .tuning import Tuning
@@ -36,13 +36,12 @@ _READ = 4.0
 _SHORT = 4.0
 
 
-class Sitting:
+class SessionScene:
     """A session on screen.
 
     While `playback` is set, its shot is shown. `effects` is what the options allow to move for show; `warning`
-    stays until what it warns of is mended. `told` says what is told until the next; in a match the referee's word
-    comes back after a while. It is asked anew for every
-    picture, as the language may change.
+    stays until what it warns of is mended. `message` says what is told until the next; in a match the referee's word
+    comes back after a while. It is asked anew for every picture, as the language may change.
     """
 
     def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
@@ -55,13 +54,13 @@ class Sitting:
         self.playback: Playback | None = None
         self.timeline = Timeline()
         self.in_hand = InHand()
-        self.referee = Referee()
+        self.call_strip = CallStrip()
         self.tuning: Tuning | None = None
         self.effects = Effects()
-        self._told: Callable[[], str] = self._welcome
+        self._message: Callable[[], str] = self._welcome
         # How long that has been told, and how long the balls have been at rest, s.
         self._age = self._rested = math.inf
-        self._who = session.ask.who
+        self._player = session.ask.player
         self.warning = ""
         # What opens once a shot or a choice has ended the frame.
         self.ended: Callable[[], Scene | None] = lambda: None
@@ -73,32 +72,32 @@ class Sitting:
         return None if self.playback is None else self.playback.rollout
 
     @property
-    def told(self) -> Callable[[], str]:
-        return self._told
+    def message(self) -> Callable[[], str]:
+        return self._message
 
-    @told.setter
-    def told(self, words: Callable[[], str]) -> None:
-        self._told, self._age = words, 0.0
+    @message.setter
+    def message(self, words: Callable[[], str]) -> None:
+        self._message, self._age = words, 0.0
 
     @property
-    def message(self) -> str:
+    def message_text(self) -> str:
         """What is told at present; empty where nothing is."""
-        return self.told()
+        return self.message()
 
     @property
-    def word(self) -> Callable[[], str] | None:
+    def standing_message(self) -> Callable[[], str] | None:
         """What is told again once other things have been read; None in practice, where nobody rules."""
-        return None if self.session.free else self._verdict
+        return None if self.session.is_practice else self._verdict
 
     def _welcome(self) -> str:
         return say("play.welcome", help=KEYS.shown("help"))
 
     def _verdict(self) -> str:
-        return self.referee.verdict(self.session, self.in_hand.held(self.session) is not None)
+        return self.call_strip.verdict(self.session, self.in_hand.held(self.session) is not None)
 
-    def tell_the_word(self) -> None:
+    def tell_standing_message(self) -> None:
         """Tell what is told where there is nothing else to tell."""
-        self.told = self.word or (lambda: "")
+        self.message = self.standing_message or (lambda: "")
 
     @property
     def titles(self) -> tuple[str, str]:
@@ -107,7 +106,7 @@ class Sitting:
         if self.playback is not None:
             # A shot that is seen is not told of before it is.
             number -= 1
-            left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(self.stage.down)
+            left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(self.stage.pocketed)
         note = f"{say('play.shot', number=number)}   \N{MIDDLE DOT}   {say('play.left', count=left)}"
         table = self.session.table
         title = ruling_text.table_title(table)
@@ -124,7 +123,7 @@ class Sitting:
 
     def tell(self, words: str) -> None:
         """Tell this until something else is told."""
-        self.told = lambda: words
+        self.message = lambda: words
 
     def aimed(self, shot: Shot) -> str:
         """The ball that a shot would meet first; empty where it meets none."""
@@ -139,15 +138,15 @@ class Sitting:
         self.session.leave()
         self.session = session
         self.stage.cue_counts = session.match.rules.cue_counts
-        self.referee = Referee()
-        self.told = self._welcome if session.free else self._verdict
-        self._who = session.ask.who
+        self.call_strip = CallStrip()
+        self.message = self._welcome if session.is_practice else self._verdict
+        self._player = session.ask.player
         self.hands.take_over()
         self.hands.face(self.session.cue, self.session.layout)
         last = None
         for before, moment in pairwise(session.match.history):
             if moment.rollout is not None:
-                self.stage.keeper.follow(before, moment.rollout, last)
+                self.stage.tracker.follow(before, moment.rollout, last)
                 last = moment
 
     def _strike(self, speed: float, drawn: bool = False) -> None:
@@ -158,17 +157,17 @@ class Sitting:
             return
         shot = self.hands.aim.shot(self.session.cue.id, speed)
         try:
-            rollout = self.session.play(shot, self.referee.calls.said(self.session, self.aimed(shot)))
+            rollout = self.session.play(shot, self.call_strip.calls.said(self.session, self.aimed(shot)))
         except (InputError, BudgetError) as error:
             self.tell(str(error))
             return
         self._show(Playback(rollout, shot, cue_motion.lead(drawn, self.effects)))
-        self.told = lambda: say("play.miscue") if shot_text.missed(rollout) else ""
+        self.message = lambda: say("play.miscue") if shot_text.missed(rollout) else ""
 
     def _replay(self) -> None:
         last = self.session.rollout
         if last is None:
-            self.told = lambda: say("play.no_shot")
+            self.message = lambda: say("play.no_shot")
         elif self.playback is None:
             self.hands.put_down()
             shown = Playback(last, self.session.shot, cue_motion.lead(False, self.effects), again=True)
@@ -176,7 +175,7 @@ class Sitting:
             shown.kept = shown.end < _SHORT
             self._show(shown)
             self.timeline.begin(self.hands.pointer)
-            self.told = lambda: ""
+            self.message = lambda: ""
 
     def _pause(self) -> None:
         """Hold the shot that runs, or the last one at its beginning."""
@@ -199,13 +198,13 @@ class Sitting:
     def _undo(self) -> None:
         self.drop()
         undone = self.session.undo()
-        self.told = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
+        self.message = lambda: say("play.undone") if undone else say("play.nothing_to_undo")
         self._next = self.ended()
 
     def _redo(self) -> None:
         self.drop()
         redone = self.session.redo()
-        self.told = lambda: say("play.redone") if redone else say("play.nothing_to_redo")
+        self.message = lambda: say("play.redone") if redone else say("play.nothing_to_redo")
         self._next = self.ended()
 
     def _rack(self) -> None:
@@ -214,13 +213,13 @@ class Sitting:
         self.drop()
         self.session.rack(random.randrange(1 << 30))
         self.hands.face(self.session.cue, self.session.layout)
-        self.told = lambda: say("play.new_rack")
+        self.message = lambda: say("play.new_rack")
 
     def open_table(self, name: str) -> None:
         """Go over to another preset, with a new rack; raises InputError."""
         self.take_table(load_table(name))
         table = self.session.table
-        self.told = lambda: say("play.new_table", table=ruling_text.table_title(table))
+        self.message = lambda: say("play.new_table", table=ruling_text.table_title(table))
 
     def take_table(self, table: Table, layout: Layout | None = None) -> None:
         """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""
@@ -235,13 +234,13 @@ class Sitting:
         self.playback = None
         if self.tuning is not None:
             self.tuning.refresh()
-        self.told = lambda: say("play.file_changed")
+        self.message = lambda: say("play.file_changed")
 
     def practising(self) -> bool:
         """Whether this is practice; where it is not, that is told."""
-        if not self.session.free:
-            self.told = lambda: say("play.practice_only")
-        return self.session.free
+        if not self.session.is_practice:
+            self.message = lambda: say("play.practice_only")
+        return self.session.is_practice
 
     def arrange(self, layout: Layout, shot: Shot | None = None) -> bool:
         """Put the balls so, and aim so; False, and nothing is changed, where they cannot stand."""
@@ -267,14 +266,14 @@ class Sitting:
 
     def pass_time(self, dt: float) -> None:
         """Let the shot that is shown, the camera and the panels go on by `dt` seconds."""
-        self.referee.follow(self.session)
-        self.referee.form.update(dt)
+        self.call_strip.follow(self.session)
+        self.call_strip.form.update(dt)
         if self.playback is None:
             self._change_hands()
             self._rested += dt
             self._age += dt
-            if self._age > _READ and self.word is not None:
-                self._told = self.word
+            if self._age > _READ and self.standing_message is not None:
+                self._message = self.standing_message
         if self.tuning is not None:
             self.tuning.follow(self.hands.aim.shot(self.session.cue.id))
             self.tuning.update(dt)
@@ -288,11 +287,11 @@ class Sitting:
 
     def _change_hands(self) -> None:
         """Once the shot has been seen, the next player takes the cue level, with no spin and no force set."""
-        who = self.session.ask.who
-        if who != self._who and who >= 0:
+        player = self.session.ask.player
+        if player != self._player and player >= 0:
             self.hands.take_over()
             self.hands.armed = False
-            self._who = who
+            self._player = player
 
     def _come_to_rest(self, shown: Playback) -> None:
         """Show no shot any more, and tell what came of it."""
@@ -300,10 +299,10 @@ class Sitting:
         self._rested = 0.0
         if shot_text.missed(shown.rollout) and not shown.again:
             self.sounds.chalk()
-        if shown.again or not self.session.free:
-            self.tell_the_word()
+        if shown.again or not self.session.is_practice:
+            self.tell_standing_message()
         elif self.session.in_hand or not shot_text.missed(shown.rollout):
             cue = self.session.cue.id
-            self.told = lambda: shot_text.outcome(shown.rollout, cue)
+            self.message = lambda: shot_text.outcome(shown.rollout, cue)
         if not shown.again:
             self._next = self.ended()

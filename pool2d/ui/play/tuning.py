@@ -17,7 +17,7 @@ from ...table.preset import conditions, load_table, presets, title_of
 from ...table.table import Table
 from ..screen import Screen
 from ..widgets.form import Form
-from ..widgets.inputs import Choice, ListBox, Slider
+from ..widgets.inputs import ListBox, Selector, Slider
 from ..widgets.widget import Button, Heading, Tabs, Widget
 from ..wording.ruling_text import preset_title, table_title
 from ..wording.words import number, say, say_or, unit
@@ -185,7 +185,7 @@ class Tuning:
         """What is laid over the preset, and what it is compared with."""
         return [
             [
-                Choice(
+                Selector(
                     say("tuning.conditions"),
                     lambda: [NOTHING, *conditions()],
                     self._conditions,
@@ -195,7 +195,7 @@ class Tuning:
                 )
             ],
             [
-                Choice(
+                Selector(
                     say("tuning.compare"),
                     lambda: [NOTHING, *filter(self._holds, presets())],
                     self._compared,
@@ -235,7 +235,7 @@ class Tuning:
         label = say(f"knob.{name}")
         doc = say_or(f"knob.{name}_hint", knob.doc)
         if knob.choices:
-            return Choice(
+            return Selector(
                 label,
                 lambda: knob.choices,
                 lambda: str(self._value(name)),

@@ -10,12 +10,12 @@ from pathlib import Path
 from ...config.settings import Store
 from ...errors import InputError
 from ...game.records.record import load
-from ...game.records.recorded_shots import Reel
+from ...game.records.recorded_shots import RecordedShots
 from ...game.records.recorder import records, remove
 from ...sound.mixer import Sounds
-from ..dialogs.list_page import Shelf
+from ..dialogs.list_page import ListPage
 from ..scene import Scene
-from ..widgets.list_row import Entry
+from ..widgets.list_row import ListRow
 from ..widgets.widget import Widget
 from ..wording.ruling_text import title
 from ..wording.words import say
@@ -29,15 +29,15 @@ def open_replays(
     """The player's records, the latest first, to look at one; Esc goes back to `below`, or what is `renewed`."""
 
     def watch(path: Path) -> Scene:
-        return Replay(Reel(load(path, torn=True)), below, store, sounds)
+        return Replay(RecordedShots(load(path, torn=True)), below, store, sounds)
 
     def named() -> str:
         return say("replay.title") if records() else say("replay.none")
 
-    return RecordShelf(below, named, records, watch, renewed)
+    return RecordList(below, named, records, watch, renewed)
 
 
-class RecordShelf(Shelf):
+class RecordList(ListPage):
     """Records, which may be damaged; `open` leads on from one, and may raise InputError.
 
     Once one has been thrown away, the way back leads to what `renewed` makes in place of `below`.
@@ -56,12 +56,12 @@ class RecordShelf(Shelf):
         return [self._entry(path) for path in self.paths()]
 
     def _entry(self, path: Path) -> Widget:
-        do, throw = self.telling(partial(self._open, path)), self.telling(partial(self._throw, path))
+        do, throw = self.reporting(partial(self._open, path)), self.reporting(partial(self._throw, path))
         try:
             players, game, when = about(path)
         except (InputError, OSError, OverflowError, ValueError) as error:
-            return Entry(path.stem, do, below=str(error), remove=throw)
-        return Entry(players, do, note=title(game), below=when, remove=throw)
+            return ListRow(path.stem, do, below=str(error), remove=throw)
+        return ListRow(players, do, note=title(game), below=when, remove=throw)
 
     def _throw(self, path: Path) -> None:
         remove(path)

@@ -10,10 +10,10 @@ from ...config.settings import Store
 from ...draw import cue_motion
 from ...draw.effects import effects_of, style_of
 from ...game.actions import Stroke
-from ...game.records.recorded_shots import Reel
+from ...game.records.recorded_shots import RecordedShots
 from ...sound.mixer import Sounds
 from ..dialogs.help import Help
-from ..dialogs.options import Options
+from ..dialogs.options import OptionsPage
 from ..dialogs.pick import Pick
 from ..scene import Boxes, Scene
 from ..stage.playback import Playback
@@ -41,14 +41,14 @@ class Replay:
     """
 
     def __init__(
-        self, reel: Reel, below: Scene | None = None, store: Store | None = None, sounds: Sounds | None = None
+        self, shots: RecordedShots, below: Scene | None = None, store: Store | None = None, sounds: Sounds | None = None
     ) -> None:
-        self.reel = reel
+        self.shots = shots
         self.below = below
         self.store = store or Store()
         self.sounds = sounds or Sounds()
-        self.stage = Stage(reel[0].match.table)
-        self.stage.cue_counts = reel[0].match.rules.cue_counts
+        self.stage = Stage(shots[0].match.table)
+        self.stage.cue_counts = shots[0].match.rules.cue_counts
         self.timeline = Timeline()
         self.vectors = self.geometry = False
         self.at = 0
@@ -61,7 +61,7 @@ class Replay:
             "geometry": self._show_geometry,
             "fast": lambda: self._fast_forward(True),
             "help": lambda: self._open(Help(self)),
-            "options": lambda: self._open(Options(self, self.store)),
+            "options": lambda: self._open(OptionsPage(self, self.store)),
         }
         self._do: dict[str, Callable[[], None]] = {
             "earlier": lambda: self.go(self.at - 1),
@@ -73,14 +73,14 @@ class Replay:
     @property
     def still(self) -> bool:
         """Whether it would look the same at the next frame, unless an event comes."""
-        waits = self.playback.ended and not self.playback.paused and self.at + 1 < len(self.reel)
-        return self.playback.still and self.stage.still and self.reel.whole and not waits
+        waits = self.playback.ended and not self.playback.paused and self.at + 1 < len(self.shots)
+        return self.playback.still and self.stage.still and self.shots.complete and not waits
 
     def go(self, at: int, paused: bool = False) -> None:
         """Show a stroke, from its beginning; the nearest there is."""
-        self.at = min(max(at, 0), len(self.reel) - 1)
+        self.at = min(max(at, 0), len(self.shots) - 1)
         # It may be that the record cannot be played so far.
-        self.at = min(self.at, self.reel[self.at].number - 1)
+        self.at = min(self.at, self.shots[self.at].number - 1)
         rate = self.playback.rate
         self.playback = self._shown()
         self.playback.rate = rate
@@ -90,7 +90,7 @@ class Replay:
             self.sounds.play_events(self.stage.table, self.playback.rollout, -1.0, 0.0)
 
     def _shown(self) -> Playback:
-        take = self.reel[self.at]
+        take = self.shots[self.at]
         self._lay()
         action = take.moment.action
         lead = cue_motion.lead(False, effects_of(self.store.values))
@@ -100,10 +100,10 @@ class Replay:
 
     def _lay(self) -> None:
         """Let the balls of every stroke that is worked out lie as those before it left them."""
-        takes = self.reel.takes
+        takes = self.shots.played
         for at in range(self._laid, len(takes)):
             last = takes[at - 1].moment if at else None
-            self.stage.keeper.follow(takes[at].before, takes[at].rollout, last)
+            self.stage.tracker.follow(takes[at].before, takes[at].rollout, last)
         self._laid = len(takes)
 
     # Events.
@@ -149,12 +149,11 @@ class Replay:
             self.go(at)
             return self
 
-        reel = self.reel
-        # Asked for the last, it plays them all.
-        reel[len(reel) - 1]
+        # Asked for the last, they play them all.
+        self.shots[len(self.shots) - 1]
         self._lay()
-        shots = [replay_view.line(reel, shot) for shot in reel.takes]
-        self._open(Pick(self, say("replay.shots"), shots, self.at, say("replay.show"), take))
+        lines = [replay_view.line(self.shots, shot) for shot in self.shots.played]
+        self._open(Pick(self, say("replay.shots"), lines, self.at, say("replay.show"), take))
 
     def _fast_forward(self, fast: bool) -> None:
         self.playback.fast = fast
@@ -168,8 +167,8 @@ class Replay:
     # Time.
 
     def update(self, dt: float) -> Scene | None:
-        if not self.reel.whole:
-            self.reel.grow()
+        if not self.shots.complete:
+            self.shots.play_next()
             self._lay()
         self.stage.camera.update(dt, effects_of(self.store.values).eased)
         shown = self.playback
@@ -178,7 +177,7 @@ class Replay:
         self.sounds.play_events(self.stage.table, shown.rollout, before, shown.time)
         if shown.ended and not shown.paused:
             self._rested += dt
-            if self._rested >= PAUSE and self.at + 1 < len(self.reel):
+            if self._rested >= PAUSE and self.at + 1 < len(self.shots):
                 fast = shown.fast
                 self.go(self.at + 1)
                 self.playback.fast = fast

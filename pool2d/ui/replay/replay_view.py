@@ -10,8 +10,8 @@ from ...draw import pen, shapes, text, theme, vectors
 from ...draw.debug import ScreenPen, draw_geometry
 from ...draw.effects import effects_of
 from ...game.actions import Stroke
-from ...game.records.recorded_shots import Reel
-from ...game.records.replaying import UNKNOWN, Take
+from ...game.records.recorded_shots import RecordedShots
+from ...game.records.replaying import UNKNOWN, RecordedShot
 from ...game.rules.report import Call
 from ..scene import Boxes
 from ..screen import Screen
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> Boxes:
     """Draw the whole window; `kept`, and what is returned, as for every scene."""
     screen = Screen(*surface.get_size())
-    take, shown, stage = replay.reel[replay.at], replay.playback, replay.stage
+    take, shown, stage = replay.shots[replay.at], replay.playback, replay.stage
     filled = stage.begin(surface, take.match.table, kept=kept)
     over = in_motion(surface, stage, shown, effects_of(replay.store.values))
     if replay.geometry:
@@ -66,7 +66,7 @@ def under(pos: tuple[int, int], screen: Screen) -> str:
     return next((action for action in ("earlier", "list", "later") if button(action, screen).collidepoint(pos)), "")
 
 
-def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: Take) -> None:
+def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: RecordedShot) -> None:
     unit, bar = screen.unit, screen.top
     surface.fill(theme.PANEL[:3], bar)
     pointed = "" if replay.timeline.hover is None else under(replay.timeline.hover, screen)
@@ -74,10 +74,10 @@ def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: Ta
         box = button(action, screen)
         lit = action == pointed
         plate(surface, box, theme.FACE_LIT if lit else theme.FACE, unit, theme.TEXT if lit else None)
-        possible = replay.at > 0 if action == "earlier" else replay.at + 1 < len(replay.reel)
+        possible = replay.at > 0 if action == "earlier" else replay.at + 1 < len(replay.shots)
         if action != "list":
             _skip(surface, box, -1.0 if action == "earlier" else 1.0, theme.TEXT if possible else theme.EDGE)
-    told = say("replay.shot", number=replay.at + 1, count=len(replay.reel))
+    told = say("replay.shot", number=replay.at + 1, count=len(replay.shots))
     box = button("list", screen)
     text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
     left = button("later", screen).right + 2 * unit
@@ -102,39 +102,39 @@ def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.C
 
 def caption(replay: Replay) -> tuple[str, bool]:
     """What there is to say of the moment shown, and whether something is wrong."""
-    take, shown = replay.reel[replay.at], replay.playback
-    reel = replay.reel
+    take, shown = replay.shots[replay.at], replay.playback
+    shots = replay.shots
     if not take.same:
         return unlike(take), True
     if shown.ended:
-        said = [say("replay.undone")] if take.line in reel.undone else []
+        said = [say("replay.undone")] if take.line in shots.undone else []
         said += [say("replay.judged", why=say(f"since.{take.found.why}"))] if take.found is not None else []
         return " ".join([*said, ruling_text.verdict(take.moment, take.match)]), False
     if shown.time <= 0.0 and (said_before := called(take)):
         return said_before, False
-    if reel.fault is not None and replay.at + 1 == len(reel):
-        return str(reel.fault), True
-    if reel.outdated and replay.at == 0:
-        return say(f"since.preset_{reel.outdated}"), False
+    if shots.fault is not None and replay.at + 1 == len(shots):
+        return str(shots.fault), True
+    if shots.outdated and replay.at == 0:
+        return say(f"since.preset_{shots.outdated}"), False
     return "", False
 
 
-def unlike(take: Take) -> str:
+def unlike(take: RecordedShot) -> str:
     """What is said of a shot that does not roll as it was recorded."""
     if take.found is None or take.found.why == UNKNOWN:
         return say("replay.differs")
     return say("replay.unlike", why=say(f"since.{take.found.why}"))
 
 
-def line(reel: Reel, take: Take) -> str:
+def line(shots: RecordedShots, take: RecordedShot) -> str:
     """A shot in a list: its number, who played it, and what came of it."""
     notes = ruling_text.verdict(take.moment, take.match)
     name = take.match.names[take.moment.shooter]
-    back = f" ({say('replay.taken_back')})" if take.line in reel.undone else ""
+    back = f" ({say('replay.taken_back')})" if take.line in shots.undone else ""
     return f"{take.number}   {name}{back}   {notes}".rstrip()
 
 
-def called(take: Take) -> str:
+def called(take: RecordedShot) -> str:
     """What the player said before the shot; empty where nothing was."""
     stroke = take.moment.action
     if not isinstance(stroke, Stroke) or stroke.call == Call():

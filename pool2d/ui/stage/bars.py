@@ -15,7 +15,7 @@ from ..screen import Screen
 from ..wording import words
 
 
-class KeptBars:
+class CachedBars:
     """The two bars as they were drawn last: while a shot runs they mostly stay the same."""
 
     def __init__(self) -> None:

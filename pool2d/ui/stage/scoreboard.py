@@ -39,7 +39,7 @@ def draw_beside(surface: pygame.Surface, screen: Screen, match: Match, moment: M
 
 
 def _has_turn(moment: Moment, player: int) -> bool:
-    return moment.ruling.ask.who == player and not moment.state.over
+    return moment.ruling.ask.player == player and not moment.state.over
 
 
 def _line(

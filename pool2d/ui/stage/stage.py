@@ -13,7 +13,7 @@ from ...draw.tabletop.background import Background
 from ...draw.view import View, fit
 from ...errors import BudgetError, InputError
 from ...game.falling import falling
-from ...game.orientations import Keeper
+from ...game.orientations import OrientationTracker
 from ...physics.orientation import FACING, Quaternion
 from ...physics.rollout import Rollout
 from ...physics.simulate import simulate
@@ -39,12 +39,12 @@ class Stage:
         self.table = table
         self.style = theme.PLAIN
         self.cue_counts = False
-        self.keeper = Keeper()
-        self.bars = bars.KeptBars()
+        self.tracker = OrientationTracker()
+        self.bars = bars.CachedBars()
         # Where the last frame has drawn over the table, told by who draws the frame; None where the next one is to be
         # drawn as a whole.
         self.over: Boxes = None
-        self._down: list[str] = []
+        self._pocketed: list[str] = []
         self.screen = Screen(1280, 720)
         self.camera = Camera()
         self._background = Background()
@@ -90,25 +90,25 @@ class Stage:
         """
         # On its way the camera shows each frame another size of ball, for which no skin is worth making.
         rough = running and self.camera.settled
-        lies, down = self.keeper.lying(layout, rollout, t)
+        orientations, down = self.tracker.states(layout, rollout, t)
         balls = []
         if rollout is not None:
-            falls = falling(rollout, self.keeper.turning(rollout), self.table.geometry.pockets, t)
+            falls = falling(rollout, self.tracker.rotation(rollout), self.table.geometry.pockets, t)
             for fall in falls:
                 ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
-                balls.append(tray.sinking(fall, self._placed(ball, fall.lie)))
+                balls.append(tray.sinking(fall, self._placed(ball, fall.orientation)))
         balls += [
-            self._placed(ball, lies.get(ball.id, FACING), not rough or ball.phase == RESTING)
+            self._placed(ball, orientations.get(ball.id, FACING), not rough or ball.phase == RESTING)
             for ball in layout.on_table()
             if ball.id != but
         ]
-        self._down = [ball for ball in down if self.cue_counts or ball != self.table.furniture.cue]
+        self._pocketed = [ball for ball in down if self.cue_counts or ball != self.table.furniture.cue]
         return ball_art.draw_all(surface, balls, self.style)
 
     @property
-    def down(self) -> tuple[str, ...]:
+    def pocketed(self) -> tuple[str, ...]:
         """The balls that had fallen for good when the table was drawn last, in their order."""
-        return tuple(self._down)
+        return tuple(self._pocketed)
 
     def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
         look = self.table.furniture.looks.get(ball.id)
@@ -117,7 +117,7 @@ class Stage:
 
     def tray(self, surface: pygame.Surface) -> None:
         """Draw the balls that are down."""
-        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in self._down], self.style)
+        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in self._pocketed], self.style)
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
         """Draw a ball held over the table, ringed by whether it has room there."""
@@ -141,7 +141,7 @@ class Stage:
                 guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
             guide.draw(surface, guide.foresee(rollout, shot.ball), level, self.table, self.view)
 
-    def ways(
+    def comparison(
         self, surface: pygame.Surface, before: Rollout | None, compared: Rollout | None, now: Rollout | None
     ) -> None:
         """Draw what a shot did before the table was tuned, what it does now, and on the table compared."""
@@ -174,12 +174,12 @@ class Stage:
     def _look(self, ball: str) -> Look:
         return self.table.furniture.looks.get(ball) or ball_art.usual(ball)
 
-    def _placed(self, ball: Ball, lie: Quaternion, fine: bool = True) -> ball_art.Placed:
+    def _placed(self, ball: Ball, orientation: Quaternion, fine: bool = True) -> ball_art.Placed:
         x, y = self.view.to_screen(ball.x, ball.y)
         if not self.camera.settled:
             # On its way each frame has balls of another size, whose light is worked out for each part of a pixel.
             x, y = round(x), round(y)
-        return ball_art.Placed(self._look(ball.id), (x, y), self._radius(ball), lie, fine=fine)
+        return ball_art.Placed(self._look(ball.id), (x, y), self._radius(ball), orientation, fine=fine)
 
     def _radius(self, ball: Ball) -> float:
         return self.table.body_of(ball)[0] * self.view.scale

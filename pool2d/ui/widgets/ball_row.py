@@ -16,7 +16,7 @@ _TILT = (0.0, 0.85, 0.0)
 _BALLS = tuple(str(number) for number in range(1, 16))
 
 
-class Samples(Widget):
+class BallRow(Widget):
     """The balls of a pool set side by side, in the style that `style` says."""
 
     rows = 1.6
@@ -28,5 +28,5 @@ class Samples(Widget):
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         style = self.style()
-        lie = turn(*_TILT) if style.patterned else FACING
-        tray.draw(surface, self.rect, [ball_art.usual(ball) for ball in _BALLS], style, lie)
+        orientation = turn(*_TILT) if style.patterned else FACING
+        tray.draw(surface, self.rect, [ball_art.usual(ball) for ball in _BALLS], style, orientation)

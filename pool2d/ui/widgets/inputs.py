@@ -91,7 +91,7 @@ class Slider(Widget):
         )
 
 
-class Choice(Widget):
+class Selector(Widget):
     """One of a few names, on one line: click its left or right half, or press Left or Right.
 
     `shown` is how a name is told.

@@ -11,7 +11,7 @@ from ..wording.words import say
 from .widget import Button, face, plate, tone
 
 
-class Entry(Button):
+class ListRow(Button):
     """Opens something. `remove` throws it away, on Delete or the cross at its end, when asked a second time."""
 
     def __init__(

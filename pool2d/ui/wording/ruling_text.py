@@ -18,7 +18,7 @@ from .shot_text import ball_name, place_name
 from .words import language, say, say_or
 
 
-def told(note: Note, names: Sequence[str]) -> str:
+def note_text(note: Note, names: Sequence[str]) -> str:
     """A note of a ruling as a sentence; `names` are the players'."""
     return rules.say(note, names, _template(note.key), ball)
 
@@ -56,7 +56,7 @@ def setting_hint(game: str, name: str, doc: str) -> str:
 
 def wording(drill: Drill) -> Wording:
     """A drill's name and text; in English, or what language it was written in, where it is not translated."""
-    return drill.said(language())
+    return drill.wording_in(language())
 
 
 def missed(key: str) -> str:
@@ -78,7 +78,7 @@ def verdict(moment: Moment, match: Match) -> str:
         said.append(say("referee.none_fell"))
     elif report is not None and not moment.ruling.foul and not any(moment.ruling.points):
         said.append(say("referee.no_point"))
-    return " ".join([*said, *(told(note, match.names) for note in moment.ruling.notes)])
+    return " ".join([*said, *(note_text(note, match.names) for note in moment.ruling.notes)])
 
 
 def _template(key: str) -> dict[str, str]:

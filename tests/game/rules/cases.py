@@ -155,7 +155,7 @@ def check(name: str, case: Case) -> None:
 def line(ruling: Ruling, before: State | None = None) -> str:
     """A ruling in a line."""
     ask, now = ruling.ask, ruling.state
-    parts = [" ".join(filter(None, (str(ask.who), DOES[ask.kind], ask.where, "/".join(ask.options))))]
+    parts = [" ".join(filter(None, (str(ask.player), DOES[ask.kind], ask.where, "/".join(ask.options))))]
     if "push" in ask.may:
         parts.append("may push")
     if ruling.fouls:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from pool2d import Layout, Shot, load_table, simulate
-from pool2d.game.referee import read
+from pool2d.game.referee import observe
 from pool2d.game.rules import Choice, State
 from pool2d.game.rules.carom.carom import cushions_before_last
 from pool2d.game.rules.carom.straight_rail import StraightRail
@@ -55,13 +55,13 @@ def where(layout: Layout) -> dict[str, tuple[float, float]]:
 def test_the_opening(breaker: int) -> None:
     """Art. 23: who begins has the white, on one of two spots."""
     start = THREE.start(breaker)
-    assert (start.ask.who, start.ask.ball, start.ask.on) == (breaker, "cue", ("red",))
+    assert (start.ask.player, start.ask.ball, start.ask.on) == (breaker, "cue", ("red",))
     assert where(start.layout) == {"cue": SPOTS["right"], "yellow": SPOTS["head"], "red": SPOTS["foot"]}
     moved = THREE.choose(start.state, start.layout, Choice("start-spot:left"))
     assert where(moved.layout)["cue"] == SPOTS["left"]
     assert moved.ask.options == ("start-spot:right",)
     missed = THREE.judge(moved.state, moved.layout, report("cue-red", start=moved.layout))
-    assert (missed.ask.who, missed.ask.ball, missed.ask.on) == (1 - breaker, "yellow", ("cue", "red"))
+    assert (missed.ask.player, missed.ask.ball, missed.ask.on) == (1 - breaker, "yellow", ("cue", "red"))
 
 
 def test_the_last_inning_begins_in_the_starting_position() -> None:
@@ -69,7 +69,7 @@ def test_the_last_inning_begins_in_the_starting_position() -> None:
     seen = report("cue-red cue| cue| cue| cue-yellow")
     layout = put(THREE.start().layout, "red", (1.0, 1.0))
     last = THREE.judge(THREE.aim(state, 0), layout, seen)
-    assert (last.ask.who, last.ask.ball, last.ask.on) == (1, "yellow", ("red",))
+    assert (last.ask.player, last.ask.ball, last.ask.on) == (1, "yellow", ("red",))
     assert where(last.layout) == {"yellow": SPOTS["right"], "cue": SPOTS["head"], "red": SPOTS["foot"]}
 
 
@@ -107,7 +107,7 @@ def played(angle: float, speed: float, **places: tuple[float, float]) -> Report:
     layout = THREE.start().layout
     for ball, place in places.items():
         layout = put(layout, ball, place)
-    return read(TABLE, simulate(TABLE, layout, Shot(angle=angle, speed=speed)))
+    return observe(TABLE, simulate(TABLE, layout, Shot(angle=angle, speed=speed)))
 
 
 def test_a_ball_shot_into_its_cushion_is_seen() -> None:
@@ -160,11 +160,11 @@ def test_who_touches_at_straight_rail_may_have_all_balls_spotted() -> None:
     layout = put(layout, "cue", (2.7 - 0.0615, 0.1))
     state = STRAIGHT.aim(replace(STRAIGHT.start().state, opening=False, shots=3), 0)
     ruling = STRAIGHT.judge(state, layout, report("cue-red cue-yellow", start=layout))
-    assert (ruling.ask.kind, ruling.ask.who, ruling.ask.options, ruling.state.zone) == ("aim", 0, ("respot",), 2)
+    assert (ruling.ask.kind, ruling.ask.player, ruling.ask.options, ruling.state.zone) == ("aim", 0, ("respot",), 2)
     assert ruling.layout == layout
     spotted = STRAIGHT.choose(ruling.state, ruling.layout, Choice("respot"))
     assert where(spotted.layout) == {"cue": SPOTS["right"], "yellow": SPOTS["head"], "red": SPOTS["foot"]}
-    assert (spotted.ask.who, spotted.ask.options, spotted.state.zone) == (0, (), -1)
+    assert (spotted.ask.player, spotted.ask.options, spotted.state.zone) == (0, (), -1)
 
 
 @pytest.mark.parametrize(
@@ -181,7 +181,7 @@ def test_who_touches_at_straight_rail_may_have_all_balls_spotted() -> None:
 def test_a_missed_cannon_says_why(shot: str, words: str) -> None:
     state = THREE.aim(replace(THREE.start().state, opening=False, shots=3), 0)
     ruling = THREE.judge(state, THREE.start().layout, report(shot))
-    assert (ruling.notes[0].text, ruling.foul, ruling.ask.who) == (words, False, 1)
+    assert (ruling.notes[0].text, ruling.foul, ruling.ask.player) == (words, False, 1)
 
 
 def test_only_the_first_stroke_is_a_break() -> None:

@@ -51,7 +51,7 @@ def test_a_color_is_nominated_after_the_break(shot: str, color: str, groups: tup
     """H (2) (c), (3) (b): a colour of which a ball fell is one's own; of the other one has to be potted."""
     asked = broken(shot)
     ruling = RULES.choose(asked.state, asked.layout, Choice(f"group:{color}"))
-    assert (ruling.state.groups, ruling.state.trial, ruling.ask.who) == (groups, trial, 0)
+    assert (ruling.state.groups, ruling.state.trial, ruling.ask.player) == (groups, trial, 0)
     assert {ball.rstrip("0123456789") for ball in ruling.ask.on} == {color}
 
 

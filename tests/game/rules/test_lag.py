@@ -69,11 +69,11 @@ def lag(before: Ruling, seen: Lagged) -> Ruling:
 )
 def test_what_makes_a_lag_bad(seen: Lagged, note: str) -> None:
     start = RULES.start(1)
-    assert start.ask.kind == AIM and start.ask.who == 1 and start.ask.ball == "8"
+    assert start.ask.kind == AIM and start.ask.player == 1 and start.ask.ball == "8"
     ruling = lag(start, seen)
     assert ruling.notes[0 if note == "lag.rest" else 1].key == note
     # Whatever came of it, the other lags next; a bad ball is taken off.
-    assert (ruling.ask.who, ruling.ask.ball) == (0, "cue")
+    assert (ruling.ask.player, ruling.ask.ball) == (0, "cue")
     assert ("8" in ruling.layout) == (note == "lag.rest")
 
 
@@ -100,10 +100,10 @@ def test_who_wins_a_lag(first: Lagged, second: Lagged, winner: int | None) -> No
     ruling = lag(lag(RULES.start(0), first), second)
     if winner is None:
         assert "lag.again" in [note.key for note in ruling.notes]
-        assert (ruling.ask.kind, ruling.ask.who, ruling.ask.ball) == (AIM, 0, "cue")
+        assert (ruling.ask.kind, ruling.ask.player, ruling.ask.ball) == (AIM, 0, "cue")
         assert ruling.layout == RULES.start(0).layout
     else:
-        assert (ruling.ask.kind, ruling.ask.who) == (CHOOSE, winner)
+        assert (ruling.ask.kind, ruling.ask.player) == (CHOOSE, winner)
         assert ruling.ask.options == ("break", "give-break")
 
 
@@ -132,13 +132,13 @@ def play(game: Match, *speeds: float, angle: float = 0.0) -> None:
 def test_who_wins_the_lag_says_who_breaks(key: str) -> None:
     game = match()
     assert lagged(game.state)
-    first = game.ask.who
+    first = game.ask.player
     play(game, 1.4, 1.6)
-    assert (game.ask.kind, game.ask.who) == (CHOOSE, first)
+    assert (game.ask.kind, game.ask.player) == (CHOOSE, first)
     game.play(Choice(key))
     breaker = first if key == "break" else 1 - first
     assert not lagged(game.state)
-    assert (game.ask.who, game.now.breaker, game.state.breaker) == (breaker,) * 3
+    assert (game.ask.player, game.now.breaker, game.state.breaker) == (breaker,) * 3
     # The lag leaves no numbers behind, and the rack is the one of a match without.
     assert all(tally.strokes == tally.innings == 0 for tally in game.now.tallies)
     same = Match(TABLE, Setup("nine-ball", breaker=breaker, seed=4))
@@ -193,17 +193,22 @@ def test_a_stalemate_at_straight_pool_is_lagged_for(key: str) -> None:
     racked = game.layout
     game.play(Stalemate())
     assert lagged(game.state)
-    assert (game.ask.who, game.state.scores, game.now.shooter) == (1, (0, -2), -1)
+    assert (game.ask.player, game.state.scores, game.now.shooter) == (1, (0, -2), -1)
     # A stalemate in a lag is no way round it.
     game.play(Stalemate())
     assert (lagged(game.state), game.state.scores) == (True, (0, -2))
     play(game, 1.4, 1.4)
-    assert (game.ask.who, game.state.scores) == (1, (0, -2)), "two lags alike are lagged again"
+    assert (game.ask.player, game.state.scores) == (1, (0, -2)), "two lags alike are lagged again"
     play(game, 1.4, 1.6)
     game.play(Choice(key))
-    who = 1 if key == "break" else 0
+    player = 1 if key == "break" else 0
     assert not lagged(game.state)
-    assert (game.ask.who, game.ask.where, game.now.breaker, game.state.scores) == (who, "kitchen", who, (0, -2))
+    assert (game.ask.player, game.ask.where, game.now.breaker, game.state.scores) == (
+        player,
+        "kitchen",
+        player,
+        (0, -2),
+    )
     assert game.state.opening  # type: ignore[attr-defined]
     assert len(game.layout.on_table()) == 16
     assert game.layout != racked
@@ -213,4 +218,4 @@ def test_a_stalemate_at_straight_pool_is_lagged_for(key: str) -> None:
 def test_without_cushions_for_a_lag_who_broke_breaks_again() -> None:
     game = Match(load_table("l-shape"), Setup("straight", breaker=1))
     game.play(Stalemate())
-    assert (lagged(game.state), game.ask.who, game.ask.where) == (False, 1, "kitchen")
+    assert (lagged(game.state), game.ask.player, game.ask.where) == (False, 1, "kitchen")

@@ -10,7 +10,7 @@ import pytest
 from pool2d import InputError, Layout, Shot, load_table, simulate
 from pool2d.game.actions import Stroke
 from pool2d.game.match import Match
-from pool2d.game.referee import read
+from pool2d.game.referee import observe
 from pool2d.game.rules import Choice, State, games_for
 from pool2d.game.rules.carom.four_ball import FourBall
 from pool2d.game.rules.pool.blackball import Blackball
@@ -101,7 +101,7 @@ def test_a_free_shot_may_be_taken_from_baulk() -> None:
     layout = put(start.layout, "cue", (1.0, 0.1))
     state = replace(BLACKBALL.next(replace(start.state, shots=3), layout, 0), groups=("red", "yellow"))
     fouled = BLACKBALL.judge(state, layout, report("cue|", start=layout))
-    assert fouled.ask.options == ("baulk",) and fouled.state.free and fouled.ask.who == 1
+    assert fouled.ask.options == ("baulk",) and fouled.state.free and fouled.ask.player == 1
     assert set(fouled.ask.on) == {ball.id for ball in layout.on_table()} - {"cue"}
     moved = BLACKBALL.choose(fouled.state, fouled.layout, Choice("baulk"))
     assert (moved.ask.kind, moved.ask.where, moved.state.free) == ("place", "kitchen", True)
@@ -114,7 +114,7 @@ def test_after_a_break_that_is_none_the_balls_may_be_racked_again() -> None:
     weak = BLACKBALL.judge(start.state, start.layout, report("cue-red1", start=start.layout))
     assert weak.ask.options == ("baulk", "re-rack")
     again = BLACKBALL.choose(weak.state, weak.layout, Choice("re-rack"))
-    assert (again.ask.who, again.state.shots, again.state.free, again.state.racks) == (1, 0, True, 2)
+    assert (again.ask.player, again.state.shots, again.state.free, again.state.racks) == (1, 0, True, 2)
 
 
 @pytest.mark.parametrize("way", [-1.0, 1.0])
@@ -125,7 +125,7 @@ def test_a_ball_is_over_the_middle_with_its_whole_width(way: float) -> None:
     for speed in [0.3 + 0.02 * i for i in range(30)]:
         rollout = simulate(ENGLISH, layout, Shot(angle=0.0 if way > 0.0 else 180.0, speed=speed))
         places = [way * (rollout.at(0.01 * i)["red1"].x - middle) for i in range(int(100 * rollout.duration) + 2)]
-        seen = read(ENGLISH, rollout)
+        seen = observe(ENGLISH, rollout)
         found = ("red1" in seen.passed, "red1" in seen.cleared)
         assert found == (max(places) > 0.0, max(places) > 0.0254)
         told.add(found)
@@ -158,11 +158,11 @@ def test_after_five_misses_the_cue_ball_goes_anywhere() -> None:
     fourth = missing(MISSES - 1)
     assert fourth.ask.options == ("play", "play-again", "put-back")
     back = SIX.choose(fourth.state, fourth.layout, Choice("put-back"))
-    assert "last-miss" in [note.key for note in back.notes] and back.ask.who == 0
+    assert "last-miss" in [note.key for note in back.notes] and back.ask.player == 0
     fifth = missing(MISSES)
     assert fifth.ask.options == ("play", "play-again", "anywhere")
     placed = SIX.choose(fifth.state, fifth.layout, Choice("anywhere"))
-    assert (placed.ask.who, placed.ask.kind, placed.ask.where) == (1, "aim", "anywhere")
+    assert (placed.ask.player, placed.ask.kind, placed.ask.where) == (1, "aim", "anywhere")
     assert isinstance(placed.state, SixRedState) and placed.state.called == 0
     there = SIX.choose(placed.state, placed.layout, Choice("place", 2.0, 1.2))
     assert (there.layout["cue"].x, there.layout["cue"].y) == (2.0, 1.2)
@@ -189,12 +189,12 @@ def test_playing_on_ends_the_row_of_misses() -> None:
 
 def test_the_opening_of_four_ball() -> None:
     start, spots = FOUR.start(1), CAROM.furniture.spots
-    assert (start.ask.who, start.ask.ball, start.ask.on, start.ask.options) == (1, "cue", ("red2",), ())
+    assert (start.ask.player, start.ask.ball, start.ask.on, start.ask.options) == (1, "cue", ("red2",), ())
     assert {ball.id: (ball.x, ball.y) for ball in start.layout.values()} == {
         "cue": spots["right"], "yellow": spots["far"], "red": spots["head"], "red2": spots["foot"],
     }  # fmt: skip
     missed = FOUR.judge(start.state, start.layout, report("cue-red2 cue|", start=start.layout))
-    assert (missed.ask.who, missed.ask.ball, missed.ask.on) == (0, "yellow", ("red", "red2"))
+    assert (missed.ask.player, missed.ask.ball, missed.ask.on) == (0, "yellow", ("red", "red2"))
 
 
 # Free pyramid.
@@ -207,7 +207,7 @@ def test_any_ball_may_be_struck_after_the_break() -> None:
     assert set(next_one.ask.cues) == {ball.id for ball in start.layout.on_table()}
     struck = report("7-3 3>", cue="7", start=next_one.layout)
     ruling = FREE.judge(next_one.state, next_one.layout.put(next_one.layout["3"]._replace(phase=POCKETED)), struck)
-    assert (ruling.ask.who, ruling.ask.ball) == (1, "7") and "3" not in ruling.ask.cues
+    assert (ruling.ask.player, ruling.ask.ball) == (1, "7") and "3" not in ruling.ask.cues
     assert ruling.points == (0, 1)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from pool2d import InputError, Layout, Shot, load_table, simulate
-from pool2d.game.referee import read
+from pool2d.game.referee import observe
 from pool2d.game.rules import Choice, Ruling, State
 from pool2d.game.rules.sight import sees, sees_full, snookered
 from pool2d.game.rules.snooker.snooker import Snooker, SnookerState, needed, points_left
@@ -58,13 +58,13 @@ def misses(ruling: Ruling) -> int:
 def test_a_free_ball_is_nominated() -> None:
     """3.12 (a)"""
     ruling = chosen(ruled(HIDDEN), "play")
-    assert (ruling.ask.who, ruling.ask.call, ruling.ask.on) == (1, "ball", ("red1", "yellow", "black"))
+    assert (ruling.ask.player, ruling.ask.call, ruling.ask.on) == (1, "ball", ("red1", "yellow", "black"))
 
 
 def test_who_plays_again_has_no_free_ball() -> None:
     """3.11 (h), 3.12 (f)"""
     ruling = chosen(ruled(HIDDEN), "play-again")
-    assert (ruling.ask.who, ruling.ask.call, ruling.ask.on) == (0, "", ("red1",))
+    assert (ruling.ask.player, ruling.ask.call, ruling.ask.on) == (0, "", ("red1",))
 
 
 def test_a_cue_ball_that_fell_is_placed_in_the_d() -> None:
@@ -83,7 +83,7 @@ def test_after_a_miss_everything_goes_back() -> None:
     """3.14 (b): the balls, and what was on."""
     missed = ruled(f"{IN_SIGHT}, phase color", "cue-red1 black>")
     back = chosen(missed, "put-back")
-    assert (back.ask.who, back.ask.call, back.ask.on) == (0, "ball", ("black",))
+    assert (back.ask.player, back.ask.call, back.ask.on) == (0, "ball", ("black",))
     assert back.state.scores == (0, 7)
     assert [(back.layout[ball].x, back.layout[ball].y) for ball in ("cue", "red1")] == [(1.0, 0.5), (2.5, 0.5)]
     assert {ball.id for ball in back.layout.on_table()} == {"cue", "red1", "black"}
@@ -107,13 +107,13 @@ def test_a_frame_is_claimed_or_conceded() -> None:
         RULES.conceded(ahead.state, ahead.layout, 1)
 
 
-@pytest.mark.parametrize(("key", "who"), [("play", 1), ("pass", 0)])
-def test_who_wins_the_lots_says_who_plays_at_the_black(key: str, who: int) -> None:
+@pytest.mark.parametrize(("key", "player"), [("play", 1), ("pass", 0)])
+def test_who_wins_the_lots_says_who_plays_at_the_black(key: str, player: int) -> None:
     """3.4 (b)"""
     tie = ruled("phase order, balls black, scores 43 50", "cue-black black>")
     assert (tie.layout["black"].x, tie.layout["black"].y) == spot_of(TABLE, "black")
     ruling = chosen(tie, key)
-    assert (ruling.ask.kind, ruling.ask.who, ruling.ask.where, ruling.ask.on) == ("place", who, "d", ("black",))
+    assert (ruling.ask.kind, ruling.ask.player, ruling.ask.where, ruling.ask.on) == ("place", player, "d", ("black",))
 
 
 @pytest.mark.parametrize(
@@ -243,8 +243,8 @@ def test_a_jaw_nearer_than_the_ball_in_the_way_is_no_snooker() -> None:
 
 def test_the_frame_begins_in_the_d() -> None:
     start = RULES.start(breaker=1)
-    assert (start.ask.kind, start.ask.who, start.ask.where) == ("aim", 1, "d")
+    assert (start.ask.kind, start.ask.player, start.ask.where) == ("aim", 1, "d")
     assert set(start.ask.on) == {f"red{i}" for i in range(1, 16)}
     rollout = simulate(TABLE, start.layout, Shot(angle=math.degrees(math.atan2(-0.06, 2.0)), speed=3.0))
-    ruling = RULES.judge(start.state, rollout.layout(), read(TABLE, rollout))
+    ruling = RULES.judge(start.state, rollout.layout(), observe(TABLE, rollout))
     assert ruling.state.shots == 1

@@ -11,13 +11,13 @@ from pool2d.game.records.record import matches_folder
 from pool2d.ui import start
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import Help
-from pool2d.ui.dialogs.options import Options
-from pool2d.ui.menus.drill_list import DrillShelf
+from pool2d.ui.dialogs.options import OptionsPage
+from pool2d.ui.menus.drill_list import DrillList
 from pool2d.ui.menus.menu import Menu
 from pool2d.ui.menus.new_match import TUNED, NewMatch
-from pool2d.ui.menus.table_list import TableShelf
+from pool2d.ui.menus.table_list import TableList
 from pool2d.ui.play.play import Play
-from pool2d.ui.widgets.list_row import Entry
+from pool2d.ui.widgets.list_row import ListRow
 
 from ..conftest import Hand
 from .at_menu import choose, labels, shown
@@ -30,7 +30,7 @@ def test_the_menu_offers_what_there_is(guest: Hand) -> None:
 @pytest.mark.parametrize("by_mouse", [False, True])
 def test_every_entry_leads_on_and_esc_back(guest: Hand, by_mouse: bool) -> None:
     menu = guest.app.scene
-    for label, kind in (("New match", NewMatch), ("Drills", DrillShelf), ("Options", Options), ("Help", Help)):
+    for label, kind in (("New match", NewMatch), ("Drills", DrillList), ("Options", OptionsPage), ("Help", Help)):
         choose(guest, label, by_mouse)
         assert shown(guest) is kind
         guest.key(pygame.K_ESCAPE)
@@ -99,14 +99,14 @@ def test_a_table_tuned_in_practice_is_played_on_only_when_it_is_chosen(guest: Ha
         scene.start()
         guest.app.step(0.0)
         assert (guest.play.session.table.set != {}) == tuned
-        assert not guest.play.session.free
+        assert not guest.play.session.is_practice
         guest.app.lobby.leave()
         # Practice goes on where it was.
         assert guest.play.session.table.set == {"cloth.mu_slide": 0.3}
 
 
 def test_pages_open_over_the_menu_by_their_keys(guest: Hand) -> None:
-    for key, kind in ((pygame.K_F1, Help), (pygame.K_o, Options), (pygame.K_F2, DrillShelf)):
+    for key, kind in ((pygame.K_F1, Help), (pygame.K_o, OptionsPage), (pygame.K_F2, DrillList)):
         guest.key(key)
         assert shown(guest) is kind
         guest.key(pygame.K_ESCAPE)
@@ -119,15 +119,15 @@ def test_a_table_is_chosen_for_practice(guest: Hand) -> None:
     odd.write_text("nothing = 3\n")
     choose(guest, "Practice tables")
     shelf = guest.app.scene
-    assert isinstance(shelf, TableShelf)
-    entries = {line.label: line for line in shelf.form.widgets if isinstance(line, Entry)}
+    assert isinstance(shelf, TableList)
+    entries = {line.label: line for line in shelf.form.widgets if isinstance(line, ListRow)}
     assert entries["Snooker, 12 ft"].below == "Snooker, Six-red snooker"
     assert entries["Pyramid, 12 ft"].below == "Free pyramid"
     assert "nothing" in entries["odd"].below
     shelf.form.focus = entries["odd"]
     guest.key(pygame.K_RETURN)
-    assert shown(guest) is TableShelf and "nothing" in shelf.wrong
+    assert shown(guest) is TableList and "nothing" in shelf.wrong
     shelf.form.focus = next(line for line in shelf.form.widgets if getattr(line, "label", "") == "Snooker, 12 ft")
     guest.key(pygame.K_RETURN)
     assert shown(guest) is Play
-    assert guest.play.session.free and guest.play.session.table.source == "snooker-12ft"
+    assert guest.play.session.is_practice and guest.play.session.table.source == "snooker-12ft"

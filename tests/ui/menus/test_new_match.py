@@ -18,7 +18,7 @@ from pool2d.game.session import PRACTICE
 from pool2d.table.preset import presets
 from pool2d.ui.app import App
 from pool2d.ui.menus.new_match import NewMatch
-from pool2d.ui.widgets.inputs import Choice
+from pool2d.ui.widgets.inputs import Selector
 from pool2d.ui.widgets.widget import Button, Toggle, Widget
 from pool2d.ui.wording import words
 
@@ -61,7 +61,7 @@ def turn(hand: Hand, label: str, times: int = 1) -> None:
     """Click a choice on."""
     for _ in range(times):
         place = widget(hand, label)
-        assert isinstance(place, Choice)
+        assert isinstance(place, Selector)
         click(hand, (place.rect.right - 10, place.rect.centery))
 
 
@@ -88,17 +88,17 @@ def test_a_lag_decides_who_breaks_and_is_on_the_record(guest: Hand) -> None:
     turn(guest, "Breaks first")
     click(guest, widget(guest, "Start").rect.center)
     session = guest.play.session
-    first = session.ask.who
-    assert f"Player {first + 1} lags" in guest.play.message
+    first = session.ask.player
+    assert f"Player {first + 1} lags" in guest.play.message_text
     for speed in (1.4, 1.6):
         # To the foot cushion, which is on the right.
         guest.point(2.0, session.cue.y)
         guest.play.hands.aim = guest.play.hands.aim.with_speed(speed)
         guest.strike()
-    assert f"Player {first + 1} wins the lag" in guest.play.message
+    assert f"Player {first + 1} wins the lag" in guest.play.message_text
     assert session.ask.options == ("break", "give-break")
     guest.key(pygame.K_2)
-    assert session.ask.who == 1 - first and session.cue.id == "cue"
+    assert session.ask.player == 1 - first and session.cue.id == "cue"
     # The shots of the lag are none of the frame's.
     guest.key(pygame.K_r)
     assert guest.play.playback is None
@@ -128,7 +128,7 @@ def test_by_keys_alone(guest: Hand) -> None:
         guest.key(pygame.K_TAB)
     guest.key(pygame.K_TAB)
     guest.key(pygame.K_RETURN)
-    assert guest.app.scene is guest.play and not guest.play.session.free
+    assert guest.app.scene is guest.play and not guest.play.session.is_practice
 
 
 def test_names_are_typed_and_kept(guest: Hand) -> None:
@@ -167,7 +167,7 @@ def test_a_game_that_the_table_is_none_for_does_not_start_and_it_is_told(guest: 
     assert isinstance(start, Button) and start.barred()
     assert dialog(guest).barred.startswith("An L has not the balls and the rack for Snooker.")
     click(guest, start.rect.center)
-    assert isinstance(guest.app.scene, NewMatch) and guest.play.session.free
+    assert isinstance(guest.app.scene, NewMatch) and guest.play.session.is_practice
     dialog(guest).form.focus = start
     guest.key(pygame.K_RETURN)
     assert isinstance(guest.app.scene, NewMatch)
@@ -251,7 +251,7 @@ def test_a_damaged_table_is_told_and_another_can_be_chosen(guest: Hand, tmp_path
         turn(guest, "Table")
     assert "zz" in dialog(guest).barred
     click(guest, widget(guest, "Start").rect.center)
-    assert guest.play.session.free
+    assert guest.play.session.is_practice
     turn(guest, "Table")
     assert dialog(guest).barred == ""
 
@@ -260,7 +260,7 @@ def test_a_match_that_cannot_be_recorded_is_told(guest: Hand, tmp_path: Path) ->
     (tmp_path / "matches").write_text("in the way")
     click(guest, widget(guest, "Start").rect.center)
     assert "cannot be written" in dialog(guest).wrong
-    assert guest.play.session.free
+    assert guest.play.session.is_practice
 
 
 def test_options_are_those_of_the_game(guest: Hand) -> None:
@@ -281,7 +281,7 @@ def test_a_number_that_stands_for_none_is_told_in_words(guest: Hand) -> None:
         turn(guest, "Game")
     assert dialog(guest).table == "carom-10ft"
     innings = widget(guest, "Innings")
-    assert isinstance(innings, Choice)
+    assert isinstance(innings, Selector)
     assert (innings.get(), innings.shown(innings.get())) == ("0", "no limit")
     turn(guest, "Innings")
     assert innings.shown(innings.get()) == "1"

@@ -55,9 +55,9 @@ def test_a_match_is_left_for_the_menu_and_can_be_gone_on_with(hand: Hand) -> Non
     hand.key(pygame.K_ESCAPE)
     choose(hand, "Leave to the menu")
     assert labels(hand)[0] == "Continue"
-    assert hand.play.session.free
+    assert hand.play.session.is_practice
     choose(hand, "Continue")
-    assert not hand.play.session.free and hand.play.session.strokes == 1
+    assert not hand.play.session.is_practice and hand.play.session.strokes == 1
 
 
 def test_to_concede_is_asked_first(hand: Hand) -> None:
@@ -85,4 +85,4 @@ def test_a_frame_that_gets_nowhere_is_begun_again_by_agreement(hand: Hand) -> No
     assert shown(hand) is Play
     assert isinstance(session.match.now.action, Stalemate)
     assert session.strokes == 0 and set(session.layout) == set(start)
-    assert "Ann breaks" in hand.play.message
+    assert "Ann breaks" in hand.play.message_text

@@ -13,7 +13,7 @@ from pool2d.game import match
 from pool2d.game.actions import NextFrame, Stalemate, Stroke
 from pool2d.game.records import engine
 from pool2d.game.records.record import load, matches_folder
-from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import records, resume, unfinished
 from pool2d.game.records.replaying import restored
 from pool2d.game.session import recorded
@@ -26,7 +26,7 @@ from pool2d.ui.menus.new_match import NewMatch
 from pool2d.ui.play.drill_scene import DrillPlay
 from pool2d.ui.play.play import Play
 from pool2d.ui.replay import replay_view
-from pool2d.ui.replay.record_list import RecordShelf
+from pool2d.ui.replay.record_list import RecordList
 from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.widgets.widget import Button, Heading
 
@@ -88,7 +88,7 @@ def test_of_several_matches_that_were_left_any_is_gone_on_with() -> None:
     guest = Hand(app)
     assert labels(guest)[:2] == ["Continue", "Unfinished matches"]
     choose(guest, "Unfinished matches")
-    assert shown(guest) is RecordShelf
+    assert shown(guest) is RecordList
     guest.key(pygame.K_ESCAPE)
     assert shown(guest) is Menu
     choose(guest, "Unfinished matches")
@@ -128,7 +128,7 @@ def test_an_unfinished_match_is_thrown_away_when_asked_twice() -> None:
     assert unfinished() == paths
     guest.key(pygame.K_DELETE)
     assert unfinished() == paths[1:] and not paths[0].exists()
-    assert shown(guest) is RecordShelf
+    assert shown(guest) is RecordList
     # The menu knows of it.
     guest.key(pygame.K_ESCAPE)
     assert labels(guest)[:2] == ["Continue", "New match"]
@@ -165,7 +165,7 @@ def test_a_match_on_a_preset_that_has_changed_or_gone_is_continued_as_it_was_and
     app.scene = choose_menu
     app.step(0.0)
     # The replay says so while its first shot runs.
-    shown_replay = Replay(Reel(load(records()[0])), app.scene)
+    shown_replay = Replay(RecordedShots(load(records()[0])), app.scene)
     assert "The table is as it was" in replay_view.caption(shown_replay)[0]
     shown_replay.playback.leave()
     assert "The table is as it was" not in replay_view.caption(shown_replay)[0]
@@ -195,7 +195,7 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     shown_again = guest.play.playback
     assert shown_again is not None and shown_again.rollout.layout() == layout
     guest.app.step(0.5)
-    replay = Replay(Reel(load(unfinished()[0])), guest.play)
+    replay = Replay(RecordedShots(load(unfinished()[0])), guest.play)
     assert replay_view.caption(replay) == (
         "Today this shot would roll otherwise: the engine has changed since."
         " The balls are shown as recorded, before it and after it.",
@@ -204,7 +204,7 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     guest.app.scene = replay
     while not replay.still:
         guest.app.step(0.1)
-    assert replay.stage.keeper is not None and replay.playback.ended
+    assert replay.stage.tracker is not None and replay.playback.ended
 
 
 def told_at_start() -> list[str]:
@@ -300,13 +300,13 @@ def test_a_frame_is_begun_again_once_both_have_said_so(hand: Hand) -> None:
     assert hand.app.scene is hand.play
     assert isinstance(session.match.now.action, Stalemate)
     assert len(session.layout.on_table()) == len(racked.on_table())
-    assert "Ann" in hand.play.message
+    assert "Ann" in hand.play.message_text
 
 
 def test_another_table_lets_go_of_the_record(hand: Hand) -> None:
     playing(hand).play(Shot(speed=8.0))
     hand.play.open_table("pool-7ft")
-    assert hand.play.session.free
+    assert hand.play.session.is_practice
     assert len(unfinished()) == 1
     hand.app.scene = hand.app.lobby.menu()
     hand.app.step(0.0)

@@ -10,9 +10,9 @@ import pytest
 
 from pool2d.game.aim import Aim
 from pool2d.game.drills.drill_file import best, keep, load
-from pool2d.ui.menus.drill_list import DrillShelf
+from pool2d.ui.menus.drill_list import DrillList
 from pool2d.ui.play.drill_scene import DrillPlay
-from pool2d.ui.widgets.list_row import Entry
+from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.wording import words
 
 from ..conftest import FRAME, Hand
@@ -29,8 +29,8 @@ def begin(hand: Hand, name: str) -> DrillPlay:
     """Open the shelf and choose a drill there, by clicking on it."""
     hand.key(pygame.K_F2)
     shelf = hand.app.scene
-    assert isinstance(shelf, DrillShelf)
-    entry = next(one for one in shelf.form.widgets if isinstance(one, Entry) and one.label == load(name).name)
+    assert isinstance(shelf, DrillList)
+    entry = next(one for one in shelf.form.widgets if isinstance(one, ListRow) and one.label == load(name).name)
     shelf.form.focus = entry
     hand.key(pygame.K_RETURN)
     play = hand.app.scene
@@ -55,8 +55,8 @@ def test_the_shelf_lists_every_drill_with_its_goal_and_the_best(hand: Hand) -> N
     keep("stop-shot", 7)
     hand.key(pygame.K_F2)
     shelf = hand.app.scene
-    assert isinstance(shelf, DrillShelf)
-    entries = [one for one in shelf.form.widgets if isinstance(one, Entry)]
+    assert isinstance(shelf, DrillList)
+    entries = [one for one in shelf.form.widgets if isinstance(one, ListRow)]
     assert len(entries) >= 20
     assert all(entry.below for entry in entries)
     assert [entry.note for entry in entries if entry.note] == ["best 7 of 10"]
@@ -69,10 +69,10 @@ def test_a_drill_done_counts_and_is_kept_at_once(hand: Hand) -> None:
     table = hand.play
     play = begin(hand, "stop-shot")
     assert play.session.layout == play.drilling.drill.layout
-    assert "Pot the 1" in play.message
+    assert "Pot the 1" in play.message_text
     solve(hand, play)
     assert play.drilling.run.results == (1,)
-    assert "Done" in play.message
+    assert "Done" in play.message_text
     assert best("stop-shot") == 1
     hand.key(pygame.K_ESCAPE)
     assert hand.app.scene is table
@@ -83,7 +83,7 @@ def test_a_drill_done_counts_and_is_kept_at_once(hand: Hand) -> None:
 def test_a_miss_is_told_and_the_balls_are_set_up_again(hand: Hand, way: str) -> None:
     play = begin(hand, "stop-shot")
     miss(hand, play)
-    assert "not" in play.message
+    assert "not" in play.message_text
     assert play.drilling.run.results == (0,)
     assert best("stop-shot") is None
     if way == "key":
@@ -109,7 +109,7 @@ def test_a_whole_run_is_added_up_and_the_next_begins(hand: Hand) -> None:
         else:
             solve(hand, play)
     assert play.drilling.run.over
-    assert "5 of 10" in play.message and "best" in play.message
+    assert "5 of 10" in play.message_text and "best" in play.message_text
     assert best("lag") == 5
     hand.key(pygame.K_SPACE)
     assert play.drilling.run.results == ()
@@ -120,10 +120,10 @@ def test_a_drill_of_several_steps_goes_on_after_a_good_stroke(hand: Hand) -> Non
     play = begin(hand, "three-in-order")
     play.hands.aim = Aim.of(play.drilling.drill.solution[0])
     hand.strike()
-    assert "1 of 3" in play.message
+    assert "1 of 3" in play.message_text
     solve(hand, play)
     assert play.drilling.run.results == (3,)
-    assert "goal" in play.message
+    assert "goal" in play.message_text
 
 
 def test_the_solution_is_shown_and_changes_nothing(hand: Hand) -> None:
@@ -133,7 +133,7 @@ def test_the_solution_is_shown_and_changes_nothing(hand: Hand) -> None:
     assert play.rollout is not None
     assert play.hands.aim == Aim.of(play.drilling.drill.solution[0])
     for number in (1, 2, 3):
-        assert f"stroke {number} of 3" in play.message
+        assert f"stroke {number} of 3" in play.message_text
         hand.key(pygame.K_SPACE)
         hand.app.step(FRAME)
     assert play.rollout is None
@@ -178,7 +178,7 @@ def test_in_a_drill_the_balls_are_not_moved_and_strokes_count(hand: Hand) -> Non
     for key in (pygame.K_x, pygame.K_c, pygame.K_F6, pygame.K_t, pygame.K_u):
         hand.key(key)
         assert play.session.layout == layout
-        assert play.message
+        assert play.message_text
     assert play.tuning is None
     miss(hand, play)
     hand.key(pygame.K_u)
@@ -199,8 +199,8 @@ def test_a_damaged_drill_of_ones_own_is_told_on_the_shelf(hand: Hand, tmp_path: 
     (tmp_path / "drills" / "broken.toml").write_text("name = 3")
     hand.key(pygame.K_F2)
     shelf = hand.app.scene
-    assert isinstance(shelf, DrillShelf)
-    assert len([one for one in shelf.form.widgets if isinstance(one, Entry)]) >= 20
+    assert isinstance(shelf, DrillList)
+    assert len([one for one in shelf.form.widgets if isinstance(one, ListRow)]) >= 20
 
 
 def test_settings_reach_the_table_of_the_drill(hand: Hand) -> None:
@@ -237,13 +237,13 @@ def test_a_stroke_is_seen_again_though_the_balls_were_set_up_for_the_next_step(h
 
 def test_the_goal_is_told_again_once_anything_else_has_been_read(hand: Hand) -> None:
     play = begin(hand, "stop-shot")
-    goal = play.message
+    goal = play.message_text
     assert goal
     hand.key(pygame.K_u)
-    assert play.message != goal
+    assert play.message_text != goal
     for _ in range(20):
         hand.app.step(0.5)
-    assert play.message == goal
+    assert play.message_text == goal
 
 
 def test_a_stroke_counts_once_its_balls_have_been_seen_to_rest(hand: Hand) -> None:

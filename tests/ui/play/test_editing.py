@@ -61,7 +61,7 @@ def test_a_ball_dropped_where_it_has_no_room_is_back(two: Hand) -> None:
     for spot in ((CUE.x + 0.02, CUE.y), (-0.1, 0.5)):
         drag(two, (ONE.x, ONE.y), spot, 3)
         assert place(two, "1") == (ONE.x, ONE.y)
-        assert "no room" in two.play.message
+        assert "no room" in two.play.message_text
 
 
 def test_escape_puts_a_dragged_ball_back(two: Hand) -> None:
@@ -123,7 +123,7 @@ def test_everything_by_keyboard_alone(hand: Hand) -> None:
     hand.key(pygame.K_SPACE)
     assert set(hand.play.session.layout) == {"cue", "1", "3"}
     hand.key(pygame.K_DELETE)
-    assert "pick a ball up" in hand.play.message
+    assert "pick a ball up" in hand.play.message_text
     for _ in range(3):
         hand.key(pygame.K_x)
     hand.key(pygame.K_DELETE)
@@ -155,7 +155,7 @@ def test_the_cue_ball_taken_off_is_in_hand(two: Hand) -> None:
 def test_a_full_table_has_no_ball_to_add(hand: Hand) -> None:
     hand.key(pygame.K_c)
     assert hand.play.in_hand.ball == ""
-    assert "All balls" in hand.play.message
+    assert "All balls" in hand.play.message_text
 
 
 def test_in_a_match_only_the_cue_ball_in_hand_moves_and_only_where_it_may(hand: Hand) -> None:
@@ -176,7 +176,7 @@ def test_in_a_match_only_the_cue_ball_in_hand_moves_and_only_where_it_may(hand: 
     assert place(hand, "1") == (one.x, one.y)
     for key, mod in ((pygame.K_F6, 0), (pygame.K_c, 0), (pygame.K_o, CTRL)):
         hand.key(key, mod)
-        assert "Only in practice" in hand.play.message
+        assert "Only in practice" in hand.play.message_text
         assert session.layout == session.match.layout
 
 

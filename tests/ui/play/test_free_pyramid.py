@@ -11,7 +11,7 @@ import pytest
 from pool2d import Ball, InputError, Layout
 from pool2d.game.actions import Stroke
 from pool2d.game.records.record import load
-from pool2d.game.records.recorded_shots import Reel
+from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import Recorder
 from pool2d.game.rules import Ruling
 from pool2d.game.session import Session
@@ -48,7 +48,7 @@ def test_a_click_takes_the_ball_that_strikes_and_another_takes_it_back(hand: Han
     click(hand, "5")
     assert session.cue.id == "5" and session.strokes == 1
     hand.app.step(FRAME)
-    assert any(getattr(widget, "label", "") == "Strikes: 5" for widget in hand.play.referee.form.widgets)
+    assert any(getattr(widget, "label", "") == "Strikes: 5" for widget in hand.play.call_strip.form.widgets)
     click(hand, "7")
     assert session.cue.id == "7"
     click(hand, "7")
@@ -97,7 +97,7 @@ def test_the_ball_without_a_number_is_seen_in_the_tray_once_it_has_scored(hand: 
     hand.strike()
     hand.app.step(FRAME)
     assert session.layout["cue"].phase == POCKETED and not session.ruling.foul
-    assert "cue" in hand.play.stage.down
+    assert "cue" in hand.play.stage.pocketed
     # At a game in which it comes back it is none of those that are down.
     begin(hand)
     hand.app.step(FRAME)
@@ -109,7 +109,7 @@ def test_so_it_is_where_a_record_is_shown(hand: Hand) -> None:
     hand.strike()
     session.leave()
     assert isinstance(session.recorder, Recorder)
-    assert Replay(Reel(load(session.recorder.path))).stage.cue_counts
+    assert Replay(RecordedShots(load(session.recorder.path))).stage.cue_counts
 
 
 def test_taking_back_goes_back_to_the_ball_that_was_struck_before(hand: Hand) -> None:

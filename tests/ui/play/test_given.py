@@ -40,14 +40,14 @@ def test_it_lies_where_it_lay_until_the_pointer_moves_and_then_follows_it(given:
     for to in ((0.5, 0.4), (0.7, 0.9)):
         given.point(*to)
         assert held(given) == pytest.approx(to, abs=0.003)
-    assert "Click where the cue ball shall stand. Esc leaves it where it lies." in given.play.message
+    assert "Click where the cue ball shall stand. Esc leaves it where it lies." in given.play.message_text
     given.press()
     given.release()
     assert lies(given) == pytest.approx((0.7, 0.9), abs=0.003) and held(given) is None
     # From now on the pointer aims.
     given.point(1.5, 0.9)
     assert held(given) is None and given.play.hands.aim.angle == pytest.approx(0.0, abs=0.5)
-    assert "may be dragged anywhere" in given.play.message and "Esc" not in given.play.message
+    assert "may be dragged anywhere" in given.play.message_text and "Esc" not in given.play.message_text
     given.press()
     given.pull(100)
     given.release()
@@ -61,7 +61,7 @@ def test_esc_leaves_it_where_it_lies_and_it_does_not_come_back(given: Hand) -> N
     given.app.step(0.1)
     assert held(given) is None and lies(given) == before and not placed(given.play.session)
     given.app.step(5.0)
-    assert "may be dragged anywhere" in given.play.message
+    assert "may be dragged anywhere" in given.play.message_text
 
 
 def test_put_down_unmoved_it_is_played_from_where_it_lies(given: Hand) -> None:

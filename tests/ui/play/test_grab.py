@@ -96,7 +96,7 @@ def test_a_ball_in_hand_without_room_is_carried_to_where_there_is(two: Hand) -> 
     two.set_balls(CUE, ONE, in_hand=True)
     two.point(ONE.x, ONE.y)
     two.press()
-    assert two.play.session.in_hand and "no room" in two.play.message
+    assert two.play.session.in_hand and "no room" in two.play.message_text
     two.point(0.7, 0.9)
     two.release()
     assert not two.play.session.in_hand
@@ -107,7 +107,7 @@ def test_let_go_without_room_it_stays_in_hand_where_it_is(two: Hand) -> None:
     two.set_balls(CUE, ONE, in_hand=True)
     two.point(ONE.x, ONE.y)
     drag(two, ONE.x + 0.02, ONE.y)
-    assert two.play.session.in_hand and "no room" in two.play.message
+    assert two.play.session.in_hand and "no room" in two.play.message_text
     assert two.play.in_hand.at == pytest.approx((ONE.x + 0.02, ONE.y), abs=0.003)
 
 

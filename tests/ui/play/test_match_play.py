@@ -21,12 +21,12 @@ from ..conftest import Hand
 
 def test_a_break_is_judged_and_the_referee_says_what_is_next(hand: Hand) -> None:
     session = begin(hand)
-    assert "Ann breaks" in hand.play.message
+    assert "Ann breaks" in hand.play.message_text
     hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.005)
     hand.strike()
     assert session.match.now.report is not None
-    assert hand.play.message == hand.play.referee.verdict(session)
-    assert any(name in hand.play.message for name in ("Ann", "Bob"))
+    assert hand.play.message_text == hand.play.call_strip.verdict(session)
+    assert any(name in hand.play.message_text for name in ("Ann", "Bob"))
 
 
 def test_an_aim_at_a_ball_that_is_not_on_is_told(hand: Hand) -> None:
@@ -34,8 +34,8 @@ def test_an_aim_at_a_ball_that_is_not_on_is_told(hand: Hand) -> None:
     one = session.layout["1"]
     hand.point(one.x, one.y)
     hand.app.step(0.0)
-    assert hand.play.referee.warning(session, "1") == ""
-    assert hand.play.referee.warning(session, "9") == "The 9 is not on."
+    assert hand.play.call_strip.warning(session, "1") == ""
+    assert hand.play.call_strip.warning(session, "9") == "The 9 is not on."
     assert hand.play.aimed(hand.play.hands.aim.shot("cue")) == "1"
 
 
@@ -46,7 +46,7 @@ def test_in_a_match_the_table_stays_and_nothing_is_racked(hand: Hand) -> None:
     hand.key(pygame.K_t)
     assert hand.play.tuning is None
     assert session.match.now is before
-    assert hand.play.message.startswith("Only in practice")
+    assert hand.play.message_text.startswith("Only in practice")
 
 
 def test_undo_and_redo(hand: Hand) -> None:
@@ -60,7 +60,7 @@ def test_undo_and_redo(hand: Hand) -> None:
     hand.key(pygame.K_y, pygame.KMOD_CTRL)
     assert session.match.now is after
     hand.key(pygame.K_y, pygame.KMOD_CTRL)
-    assert "nothing to do again" in hand.play.message
+    assert "nothing to do again" in hand.play.message_text
 
 
 def test_a_ball_in_hand_goes_only_where_the_ruling_allows(hand: Hand) -> None:
@@ -96,7 +96,7 @@ def test_names_and_scores_stay_beside_the_tray(hand: Hand, size: tuple[int, int]
 
 def details(session: Session, player: int) -> list[str]:
     now = session.match.now
-    return scoreboard._details(session.match, now, player, now.ruling.ask.who == player)
+    return scoreboard._details(session.match, now, player, now.ruling.ask.player == player)
 
 
 def test_what_a_game_adds_is_told_of_each_player(hand: Hand) -> None:
@@ -129,7 +129,7 @@ def test_going_back_and_forth_over_the_end_of_a_frame_shows_it(hand: Hand) -> No
     hand.key(pygame.K_ESCAPE)
     hand.key(pygame.K_SPACE)
     assert isinstance(hand.app.scene, FrameOver)
-    assert "Stroke(" not in hand.play.message
+    assert "Stroke(" not in hand.play.message_text
 
 
 def test_the_ways_of_a_shot_tell_the_struck_ball_whichever_it_is(hand: Hand) -> None:
@@ -148,24 +148,24 @@ def test_the_ways_of_a_shot_tell_the_struck_ball_whichever_it_is(hand: Hand) -> 
 
 def test_the_word_of_the_referee_comes_back_after_a_notice(hand: Hand) -> None:
     session = begin(hand, "nine-ball")
-    verdict = hand.play.message
+    verdict = hand.play.message_text
     assert "Ann breaks" in verdict and "The 1 is on." in verdict and "dragged behind the line" in verdict
     hand.key(pygame.K_g)
-    assert "Guide" in hand.play.message
+    assert "Guide" in hand.play.message_text
     # A window that is still would never tell it.
     assert not hand.play.still
     hand.app.step(3.0)
-    assert "Guide" in hand.play.message
+    assert "Guide" in hand.play.message_text
     hand.app.step(1.5)
-    assert hand.play.message == verdict
+    assert hand.play.message_text == verdict
     hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.005)
     hand.strike()
-    said = hand.play.message
+    said = hand.play.message_text
     fell = session.match.now.report.potted if session.match.now.report else ()
     assert ("Pocketed:" in said) == bool(fell)
     hand.key(pygame.K_r)
     hand.key(pygame.K_ESCAPE)
-    assert hand.play.playback is None and hand.play.message == said
+    assert hand.play.playback is None and hand.play.message_text == said
 
 
 def test_each_player_takes_the_cue_as_it_was_at_first(hand: Hand) -> None:
@@ -174,10 +174,10 @@ def test_each_player_takes_the_cue_as_it_was_at_first(hand: Hand) -> None:
     hand.play.hands.aim = struck
     hand.key(pygame.K_SPACE)
     # While the shot is seen, so is how it was struck.
-    assert session.ask.who == 1 and hand.play.hands.aim == struck
+    assert session.ask.player == 1 and hand.play.hands.aim == struck
     hand.key(pygame.K_SPACE)
     hand.app.step(0.5)
-    assert session.ask.who == 1
+    assert session.ask.player == 1
     aim = hand.play.hands.aim
     assert (aim.angle, aim.speed, aim.side, aim.height, aim.elevation) == (12.0, Aim().speed, 0.0, 0.0, 0.0)
 
@@ -191,7 +191,7 @@ def test_why_the_cue_ball_may_not_stand_somewhere_is_told(hand: Hand) -> None:
         hand.press()
         hand.point(*place)
         hand.release()
-        assert why in hand.play.message and "back where it was" in hand.play.message
+        assert why in hand.play.message_text and "back where it was" in hand.play.message_text
         assert session.cue == cue
 
 

@@ -21,7 +21,7 @@ def test_what_a_shot_will_leave_is_not_told_before_it_is_seen(hand: Hand) -> Non
     hand.key(pygame.K_SPACE)
     assert hand.play.session.left == 1
     assert hand.play.titles[1] == before
-    while not hand.play.stage.down:
+    while not hand.play.stage.pocketed:
         hand.app.step(1.0 / 60.0)
     assert hand.play.titles[1] == before.replace("2 balls", "1 ball")
     hand.wait_for_rest()

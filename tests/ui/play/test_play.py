@@ -174,7 +174,7 @@ def test_a_miscue_is_told(hand: Hand) -> None:
         hand.key(pygame.K_d)
     hand.point(1.7, 0.3)
     hand.key(pygame.K_SPACE)
-    assert "Miscue" in hand.play.message
+    assert "Miscue" in hand.play.message_text
 
 
 def test_a_scratch_puts_the_cue_ball_in_hand(hand: Hand) -> None:
@@ -185,14 +185,14 @@ def test_a_scratch_puts_the_cue_ball_in_hand(hand: Hand) -> None:
     session = hand.play.session
     assert session.in_hand
     assert session.cue.phase == POCKETED
-    assert "Scratch" in hand.play.message
+    assert "Scratch" in hand.play.message_text
     one = session.layout["1"]
     for place in ((one.x + 0.01, one.y), (0.005, 0.6), (3.0, 0.5)):
         hand.point(*place)
         hand.press()
         hand.release()
         assert session.in_hand
-        assert "no room" in hand.play.message
+        assert "no room" in hand.play.message_text
     hand.point(0.5, 0.4)
     hand.press()
     hand.release()
@@ -219,7 +219,7 @@ def test_undo_goes_back_to_before_the_shot(hand: Hand) -> None:
     assert hand.play.rollout is None
     assert hand.play.session.layout == before
     hand.key(pygame.K_u)
-    assert "nothing" in hand.play.message
+    assert "nothing" in hand.play.message_text
 
 
 def test_a_new_rack_can_be_taken_back(hand: Hand) -> None:
@@ -288,6 +288,6 @@ def test_the_bars_tell_the_present_while_a_shot_runs(hand: Hand) -> None:
         for bar in (screen.top, screen.bottom):
             shown, drawn = (picture.subsurface(bar) for picture in (hand.app.surface, fresh))
             assert pygame.image.tobytes(shown, "RGB") == pygame.image.tobytes(drawn, "RGB")
-        trays.add(hand.play.stage.down)
+        trays.add(hand.play.stage.pocketed)
         hand.app.step(0.1)
     assert len(trays) == 2, "a ball falls on the way"

@@ -10,8 +10,8 @@ import pytest
 from pool2d import Layout
 from pool2d.game import saved_positions
 from pool2d.table.position_text import read
-from pool2d.ui.dialogs.dialog import Ask
-from pool2d.ui.dialogs.position_list import PositionShelf
+from pool2d.ui.dialogs.dialog import TextPrompt
+from pool2d.ui.dialogs.position_list import PositionList
 
 from ..conftest import CUE, ONE, Hand
 
@@ -79,7 +79,7 @@ def test_a_wrong_position_is_told_and_nothing_is_lost(two: Hand, copied: list[st
     copied[0] = text
     two.key(pygame.K_v, CTRL)
     assert two.play.session is session and session.layout is layout and two.play.hands.aim == aim
-    assert two.play.message not in ("", "The position is set up.")
+    assert two.play.message_text not in ("", "The position is set up.")
 
 
 def test_without_a_clipboard_that_is_told(two: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -87,12 +87,12 @@ def test_without_a_clipboard_that_is_told(two: Hand, monkeypatch: pytest.MonkeyP
     for key in (pygame.K_c, pygame.K_v):
         two.play.tell("")
         two.key(key, CTRL)
-        assert "no clipboard" in two.play.message
+        assert "no clipboard" in two.play.message_text
 
 
 def test_the_same_shot_again_from_the_same_balls(two: Hand) -> None:
     two.key(pygame.K_F5)
-    assert "no shot" in two.play.message
+    assert "no shot" in two.play.message_text
     two.key(pygame.K_d)
     before, aim = two.play.session.layout, two.play.hands.aim
     two.key(pygame.K_SPACE)
@@ -128,13 +128,13 @@ def test_a_position_is_kept_by_name_opened_and_deleted(
     monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
     aim = two.play.hands.aim
     two.key(pygame.K_s, CTRL)
-    assert isinstance(shown(two), Ask)
+    assert isinstance(shown(two), TextPrompt)
     two.key(pygame.K_RETURN)
     assert shown(two) is two.play
     assert saved_positions.positions() == ["Position 1"]
     two.key(pygame.K_n)
     two.key(pygame.K_o, CTRL)
-    assert isinstance(shown(two), PositionShelf)
+    assert isinstance(shown(two), PositionList)
     two.key(pygame.K_RETURN)
     assert shown(two) is two.play
     assert two.play.session.layout == Layout([CUE, ONE])
@@ -153,7 +153,7 @@ def test_a_name_that_is_taken_is_asked_for_twice(two: Hand, tmp_path: Path, monk
     saved_positions.save("mine", two.play.session.table, Layout([CUE]))
     two.key(pygame.K_s, CTRL)
     asked = two.app.scene
-    assert isinstance(asked, Ask)
+    assert isinstance(asked, TextPrompt)
     two.post(pygame.TEXTINPUT, text="mine")
     two.key(pygame.K_RETURN)
     assert two.app.scene is asked and asked.wrong
@@ -168,7 +168,7 @@ def test_a_damaged_position_is_told_in_the_list(two: Hand, tmp_path: Path, monke
     path.write_text('position = "nothing here"')
     two.key(pygame.K_o, CTRL)
     listed = two.app.scene
-    assert isinstance(listed, PositionShelf)
+    assert isinstance(listed, PositionList)
     two.key(pygame.K_RETURN)
     assert two.app.scene is listed and "mine" in listed.wrong
     assert set(two.play.session.layout) == {"cue", "1"}

@@ -11,9 +11,9 @@ from pool2d import load_table
 from pool2d.config.knobs import walk
 from pool2d.draw.debug import draw_geometry
 from pool2d.table.preset import presets
-from pool2d.ui.dialogs.dialog import Ask
+from pool2d.ui.dialogs.dialog import TextPrompt
 from pool2d.ui.play.tuning import NOTHING, PAGES, Tuning
-from pool2d.ui.widgets.inputs import Choice, Slider
+from pool2d.ui.widgets.inputs import Selector, Slider
 from pool2d.ui.widgets.widget import Button, Tabs, Widget
 from pool2d.ui.wording.keys import KEYS
 
@@ -105,7 +105,7 @@ def test_every_widget_of_every_page_does_something(hand: Hand, page: str) -> Non
     tuning = panel(hand)
     tuning._open(page)
     hand.app.step(0.0)
-    knobs = [one for one in tuning.form.widgets if isinstance(one, Slider | Choice) and one.label != "Compare with"]
+    knobs = [one for one in tuning.form.widgets if isinstance(one, Slider | Selector) and one.label != "Compare with"]
     assert knobs
     for one in knobs:
         before = hand.play.session.table
@@ -121,7 +121,7 @@ def test_a_law_is_chosen_by_name(hand: Hand) -> None:
     tuning = panel(hand)
     tuning._open("balls")
     choice = widget(tuning, "Law")
-    assert isinstance(choice, Choice)
+    assert isinstance(choice, Selector)
     before = choice.get()
     choice.turn(1)
     assert hand.play.session.table.knobs.ball.law != before
@@ -265,14 +265,14 @@ def test_saving_as_a_preset_of_ones_own(hand: Hand, tmp_path: Path, monkeypatch:
     assert isinstance(button, Button)
     press(hand, button.rect.center)
     ask = hand.app.scene
-    assert isinstance(ask, Ask)
+    assert isinstance(ask, TextPrompt)
     for words, wrong in (("pool-9ft", True), ("a/b", True), ("", True), ("mine", False)):
         ask.field.value = words
         hand.key(pygame.K_RETURN)
         assert (hand.app.scene is ask) is wrong, words
         assert bool(ask.wrong) is wrong
     assert load_table("mine").knobs == hand.play.session.table.knobs
-    assert "mine" in hand.play.message
+    assert "mine" in hand.play.message_text
 
 
 def test_leaving_the_question_saves_nothing(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -280,7 +280,7 @@ def test_leaving_the_question_saves_nothing(hand: Hand, tmp_path: Path, monkeypa
     tuning = panel(hand)
     press(hand, widget(tuning, "Save as").rect.center)
     hand.key(pygame.K_ESCAPE)
-    assert not isinstance(hand.app.scene, Ask)
+    assert not isinstance(hand.app.scene, TextPrompt)
     assert not list(tmp_path.rglob("*.toml"))
 
 
@@ -291,9 +291,9 @@ def test_the_panel_and_the_message_follow_the_language_and_the_keys(hand: Hand) 
     try:
         assert tuning.form.focus is widget(tuning, "Rollwiderstand")
         assert "kein Regler" in tuning._summary()
-        assert hand.play.message.startswith("Mit der Maus zielen")
+        assert hand.play.message_text.startswith("Mit der Maus zielen")
         KEYS.bind("help", pygame.K_h)
-        assert "H zeigt alle Tasten" in hand.play.message
+        assert "H zeigt alle Tasten" in hand.play.message_text
     finally:
         KEYS.reset()
         hand.app.store.turn("screen.language", "en")
@@ -337,7 +337,7 @@ def test_a_table_is_compared_only_where_the_balls_have_room(hand: Hand) -> None:
     shot(hand)
     tuning = panel(hand)
     compare = next(one for one in tuning.form.widgets if getattr(one, "label", "") == "Compare with")
-    assert isinstance(compare, Choice)
+    assert isinstance(compare, Selector)
     offered = set(compare.options())
     assert {NOTHING, "pool-9ft"} <= offered
     for name in offered - {NOTHING}:

@@ -44,7 +44,7 @@ def watch(hand: Hand, frames: int) -> None:
         seen = pygame.surfarray.array3d(hand.app.surface)
         assert hand.app.scene is not None
         # Bars that are kept would say the same again.
-        hand.play.stage.bars = bars.KeptBars()
+        hand.play.stage.bars = bars.CachedBars()
         hand.app.scene.draw(hand.app.surface)
         whole = pygame.surfarray.array3d(hand.app.surface)
         assert np.array_equal(seen, whole), f"{np.argwhere(seen != whole)[[0, -1]]} at {hand.play.playback}"

@@ -79,7 +79,7 @@ def test_what_is_drawn_over_all_of_it_is_presented(hand: Hand, monitor: Monitor,
 
 def test_a_replayed_record_presents_what_has_changed(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
     from pool2d.game.records.record import load
-    from pool2d.game.records.recorded_shots import Reel
+    from pool2d.game.records.recorded_shots import RecordedShots
     from pool2d.game.records.recorder import records
 
     from ..at_match import begin
@@ -88,7 +88,7 @@ def test_a_replayed_record_presents_what_has_changed(hand: Hand, monkeypatch: py
     hand.strike()
     hand.play.session.leave()
     (path,) = records()
-    viewer = Replay(Reel(load(path, torn=True)), hand.play)
+    viewer = Replay(RecordedShots(load(path, torn=True)), hand.play)
     hand.app.scene = viewer
     monitor = Monitor(monkeypatch, hand.app.surface)
     for number in range(60):

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from pool2d.draw import text
-from pool2d.ui.dialogs.dialog import Ask
+from pool2d.ui.dialogs.dialog import TextPrompt
 from pool2d.ui.widgets import clipboard
 from pool2d.ui.widgets.field import TextField
 
@@ -135,7 +135,7 @@ def test_save_as_opens_with_its_text_selected_and_letters_are_only_letters(hand:
     hand.key(pygame.K_t)
     hand.play._ask_name()
     asked = hand.play._next
-    assert isinstance(asked, Ask)
+    assert isinstance(asked, TextPrompt)
     hand.app.scene = asked
     assert asked.field.selected == (0, len("my-pool-9ft"))
     # F is full screen, and O the options, but not while one is typing.

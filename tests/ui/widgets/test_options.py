@@ -13,10 +13,10 @@ from pool2d.config.settings import Store
 from pool2d.draw import guide, text
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import keys
-from pool2d.ui.dialogs.options import PAGES, KeyRow, Options
+from pool2d.ui.dialogs.options import PAGES, KeyRow, OptionsPage
 from pool2d.ui.play.play import Play
-from pool2d.ui.widgets.ball_row import Samples
-from pool2d.ui.widgets.inputs import Choice, Slider
+from pool2d.ui.widgets.ball_row import BallRow
+from pool2d.ui.widgets.inputs import Selector, Slider
 from pool2d.ui.widgets.widget import Button, Tabs, Toggle, Widget
 from pool2d.ui.wording import words
 from pool2d.ui.wording.keys import DEFAULTS, KEYS, action_of
@@ -40,19 +40,19 @@ def mine(store: Store) -> Iterator[Hand]:
     words.speak("en")
 
 
-def options(hand: Hand, page: str = PAGES[0]) -> Options:
+def options(hand: Hand, page: str = PAGES[0]) -> OptionsPage:
     """Open the options by key, at a page."""
-    if not isinstance(hand.app.scene, Options):
+    if not isinstance(hand.app.scene, OptionsPage):
         hand.key(pygame.K_o)
     scene = hand.app.scene
-    assert isinstance(scene, Options)
+    assert isinstance(scene, OptionsPage)
     for _ in range(PAGES.index(page)):
         hand.key(pygame.K_RIGHT)
     assert scene.page == page
     return scene
 
 
-def widget(scene: Options, kind: type[Widget], label: str) -> Widget:
+def widget(scene: OptionsPage, kind: type[Widget], label: str) -> Widget:
     return next(w for w in scene.form.widgets if isinstance(w, kind) and getattr(w, "label", label) == label)
 
 
@@ -62,7 +62,7 @@ def click(hand: Hand, pos: tuple[float, float]) -> None:
     hand.release()
 
 
-def row(scene: Options, action: str) -> KeyRow:
+def row(scene: OptionsPage, action: str) -> KeyRow:
     return next(w for w in scene.form.widgets if isinstance(w, KeyRow) and w.action == action)
 
 
@@ -117,7 +117,7 @@ def test_the_guide_is_the_same_setting_in_play_and_here(mine: Hand, store: Store
     mine.key(pygame.K_g)
     assert store.values.aiming.guide == "whole shot"
     scene = options(mine)
-    box = widget(scene, Choice, "Guide").rect
+    box = widget(scene, Selector, "Guide").rect
     click(mine, (box.right - 5, box.centery))
     assert store.values.aiming.guide == "off"
     assert mine.play.level == guide.OFF
@@ -132,8 +132,8 @@ def test_another_language_is_spoken_at_once(mine: Hand, monkeypatch: pytest.Monk
         return real(surface, line, *rest)  # type: ignore[arg-type]
 
     scene = options(mine, "screen")
-    choice = widget(scene, Choice, "Language")
-    assert isinstance(choice, Choice)
+    choice = widget(scene, Selector, "Language")
+    assert isinstance(choice, Selector)
     monkeypatch.setattr(text, "draw", spy)
     while mine.app.store.values.screen.language != "de":
         choice.turn(1)
@@ -172,7 +172,7 @@ def test_pages_by_mouse(mine: Hand) -> None:
 def test_a_key_is_bound_anew_and_the_help_shows_it(mine: Hand, store: Store) -> None:
     scene = options(mine, "keys")
     click(mine, row(scene, "guide").rect.center)
-    assert "press a key" in row(scene, "guide").told
+    assert "press a key" in row(scene, "guide").message
     mine.key(pygame.K_h)
     assert action_of(pygame.K_h, 0) == "guide"
     assert action_of(pygame.K_g, 0) is None
@@ -192,7 +192,7 @@ def test_a_key_that_another_action_has_is_told_and_taken_on_the_second_press(min
     click(mine, row(scene, "guide").rect.center)
     mine.key(pygame.K_n)
     assert action_of(pygame.K_n, 0) == "rack"
-    assert "New rack" in row(scene, "guide").told
+    assert "New rack" in row(scene, "guide").message
     mine.key(pygame.K_n)
     assert action_of(pygame.K_n, 0) == "guide"
     assert KEYS.shown("rack") == "no key"
@@ -203,9 +203,9 @@ def test_while_a_row_waits_it_gets_tab_and_esc_and_the_windows_keys(mine: Hand) 
     click(mine, row(scene, "guide").rect.center)
     mine.key(pygame.K_F11)
     assert not mine.app.surface.get_flags() & pygame.FULLSCREEN
-    assert "Full screen" in row(scene, "guide").told
+    assert "Full screen" in row(scene, "guide").message
     mine.key(pygame.K_TAB)
-    assert "Fast-forward" in row(scene, "guide").told
+    assert "Fast-forward" in row(scene, "guide").message
     mine.key(pygame.K_LSHIFT)
     mine.key(pygame.K_ESCAPE)
     assert mine.app.scene is scene
@@ -254,8 +254,8 @@ def test_balls_are_shown_as_their_options_make_them(hand: Hand) -> None:
         hand.app.redraw()
         hand.app.step(0.0)
         scene = hand.app.scene
-        assert isinstance(scene, Options)
-        samples = next(widget for widget in scene.form.widgets if isinstance(widget, Samples))
+        assert isinstance(scene, OptionsPage)
+        samples = next(widget for widget in scene.form.widgets if isinstance(widget, BallRow))
         return pygame.image.tobytes(hand.app.surface.subsurface(samples.rect), "RGB")
 
     seen = {row()}

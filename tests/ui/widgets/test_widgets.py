@@ -11,7 +11,7 @@ from pool2d.config.knobs import Knob
 from pool2d.draw import text
 from pool2d.ui.widgets.field import TextField
 from pool2d.ui.widgets.form import Form
-from pool2d.ui.widgets.inputs import Choice, ListBox, Slider
+from pool2d.ui.widgets.inputs import ListBox, Selector, Slider
 from pool2d.ui.widgets.widget import Button, Heading, Tabs, Toggle, Widget, ring
 
 BOX = pygame.Rect(100, 50, 320, 600)
@@ -125,7 +125,7 @@ def test_a_toggle() -> None:
 
 def test_a_choice_turns_both_ways_and_round() -> None:
     cell = Cell("a")
-    made = form(Choice("Law", lambda: ["a", "b", "c"], cell.text, cell.put))
+    made = form(Selector("Law", lambda: ["a", "b", "c"], cell.text, cell.put))
     key(made, pygame.K_RIGHT)
     assert cell.value == "b"
     key(made, pygame.K_LEFT)
@@ -227,7 +227,7 @@ def test_every_widget_draws_within_its_place(unit: int) -> None:
         Tabs(["Cloth", "Balls", "Cue"], lambda: "Cloth", lambda _: None),
         slider(Cell(0.5)),
         Toggle("Guide", lambda: True, lambda _: None),
-        Choice("Law", lambda: ["a name that is long as well"], lambda: "a name that is long as well", lambda _: None),
+        Selector("Law", lambda: ["a name that is long as well"], lambda: "a name that is long as well", lambda _: None),
         TextField("Name", "x" * 40),
         Button("Do", lambda: None),
         ListBox(lambda: ["one"], lambda: "one", lambda _: None, lines=2),
@@ -289,7 +289,7 @@ def test_hovered_pressed_and_focused_each_look_their_own() -> None:
         form(Button("Do", lambda: None, strong=True)),
         form(Toggle("Guide", lambda: True, lambda _: None)),
         form(slider(Cell(0.5))),
-        form(Choice("Law", lambda: ["a"], cell.text, cell.put)),
+        form(Selector("Law", lambda: ["a"], cell.text, cell.put)),
     ):
         rect = made.widgets[0].rect
         focused = shown(made)
@@ -336,9 +336,9 @@ def test_widgets_that_have_just_been_shown_can_be_clicked_before_they_are_drawn(
 
     def take(name: str) -> None:
         taken.append(name)
-        made.set_rows([[Choice("Table", lambda: "abc", lambda: taken[-1], take)]])
+        made.set_rows([[Selector("Table", lambda: "abc", lambda: taken[-1], take)]])
 
-    made = Form([[Choice("Table", lambda: "abc", lambda: taken[-1] if taken else "a", take)]])
+    made = Form([[Selector("Table", lambda: "abc", lambda: taken[-1] if taken else "a", take)]])
     made.place(pygame.Rect(0, 0, 400, 100), 8)
     right = (made.widgets[0].rect.right - 5, made.widgets[0].rect.centery)
     for _ in range(3):

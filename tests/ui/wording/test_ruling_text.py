@@ -30,7 +30,7 @@ def english_afterwards() -> Iterator[None]:
 @pytest.mark.parametrize("ball", ["3", "cue", "red7", "black"])
 def test_english_is_what_the_rules_say(key: str, ball: str) -> None:
     note = Note(key, 1, ball, 4)
-    assert ruling_text.told(note, NAMES) == say(note, NAMES)
+    assert ruling_text.note_text(note, NAMES) == say(note, NAMES)
 
 
 @pytest.mark.parametrize("key", CHOICES)
@@ -43,9 +43,9 @@ def test_an_option_in_english_is_what_the_rules_call_it(key: str) -> None:
 @pytest.mark.parametrize("key", NOTES)
 def test_german_says_every_note_otherwise(key: str) -> None:
     note = Note(key, 1, "red7", 4)
-    english = ruling_text.told(note, NAMES)
+    english = ruling_text.note_text(note, NAMES)
     words.speak("de")
-    german = ruling_text.told(note, NAMES)
+    german = ruling_text.note_text(note, NAMES)
     assert german.endswith(".") and "{" not in german and not german[0].islower()
     # "Free Ball" is what it is called in German, too.
     assert (german.lower() == english.lower()) == (key == "free-ball")
@@ -65,7 +65,7 @@ def test_german_says_every_note_otherwise(key: str) -> None:
 )
 def test_a_note_in_german(note: Note, german: str) -> None:
     words.speak("de")
-    assert ruling_text.told(note, NAMES) == german
+    assert ruling_text.note_text(note, NAMES) == german
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from ....physics.values import POCKETED, Layout
 from ....table.outline import Point
 from ..base import Options, Rules, Ruling, State
 from ..notes import Note
-from ..pool.pool import added, changed, points, told
+from ..pool.pool import added, changed, points, score_notes
 from ..report import BALL, FROZEN, RAIL, Report
 from ..spotting import put
 
@@ -68,10 +68,10 @@ class Carom(Rules[CaromState]):
         raise NotImplementedError
 
     def frozen(
-        self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
+        self, state: CaromState, layout: Layout, player: int, touching: tuple[str, ...], notes: tuple[Note, ...]
     ) -> Ruling:
         """Art. 27 (1): the player may have touching balls spotted, or play away from them."""
-        return self.ruled(self.aim(state, who, "respot"), layout, *notes)
+        return self.ruled(self.aim(state, player, "respot"), layout, *notes)
 
     def start(self, breaker: int = 0, seed: int = 0) -> Ruling:
         """Who wins the lag says who breaks (art. 22)."""
@@ -83,30 +83,32 @@ class Carom(Rules[CaromState]):
         """Art. 23: who begins strikes the white, the table's cue ball; the opponent the yellow."""
         return self.table.furniture.cue if player == state.breaker else self.table.furniture.groups["other"][0]
 
-    def opened(self, state: CaromState, who: int, spot: str = "right") -> CaromState:
+    def opened(self, state: CaromState, player: int, spot: str = "right") -> CaromState:
         """The state in which a player has the opening stroke, at the red, from one of two spots (art. 23)."""
         state = replace(state, opening=True, zone=-1)
         return replace(
             state,
-            turn=who,
-            ask=replace(self.aim(state, who).ask, on=(RED,), options=(f"start-spot:{_OTHER[spot]}",)),
+            turn=player,
+            ask=replace(self.aim(state, player).ask, on=(RED,), options=(f"start-spot:{_OTHER[spot]}",)),
         )
 
-    def aim(self, state: CaromState, who: int, *options: str) -> CaromState:
+    def aim(self, state: CaromState, player: int, *options: str) -> CaromState:
         """The state in which a player strikes at the other two balls."""
-        on = (self.ball_of(state, self.other(who)), RED)
-        ask = replace(state.ask, kind="aim", who=who, ball=self.ball_of(state, who), where="", on=on, options=options)
-        return replace(state, turn=who, ask=ask)
+        on = (self.ball_of(state, self.other(player)), RED)
+        ask = replace(
+            state.ask, kind="aim", player=player, ball=self.ball_of(state, player), where="", on=on, options=options
+        )
+        return replace(state, turn=player, ask=ask)
 
-    def set_up(self, state: CaromState, layout: Layout, who: int, spot: str = "right") -> Layout:
+    def set_up(self, state: CaromState, layout: Layout, player: int, spot: str = "right") -> Layout:
         """Art. 23: the red on the foot spot, the opponent's ball on the head spot, the player's beside it."""
         spots = self.table.furniture.spots
         layout = put(layout, RED, spots["foot"])
-        layout = put(layout, self.ball_of(state, self.other(who)), spots["head"])
-        return put(layout, self.ball_of(state, who), spots[spot])
+        layout = put(layout, self.ball_of(state, self.other(player)), spots["head"])
+        return put(layout, self.ball_of(state, player), spots[spot])
 
     def judge(self, state: CaromState, layout: Layout, report: Report) -> Ruling:
-        who = state.ask.who
+        player = state.ask.player
         found = tuple(self.fouls(state, report))
         state = replace(state, shots=state.shots + 1, opening=False)
         if found:
@@ -114,33 +116,35 @@ class Carom(Rules[CaromState]):
         if not self.cannon(report) or not self.counts(report):
             ruling = self._inning_over(state, layout, ())
             return ruling._replace(notes=(self.missed(report), *ruling.notes))
-        change = points(who, 1)
+        change = points(player, 1)
         state = replace(added(state, change), run=state.run + 1)
-        state = replace(state, best=changed(state.best, who, max(state.best[who], state.run)))
-        if state.scores[who] >= self.goal:
+        state = replace(state, best=changed(state.best, player, max(state.best[player], state.run)))
+        if state.scores[player] >= self.goal:
             return self._inning_over(state, layout, (), change)
-        return self.goes_on(state, layout, who)._replace(points=change)
+        return self.goes_on(state, layout, player)._replace(points=change)
 
-    def goes_on(self, state: CaromState, layout: Layout, who: int) -> Ruling:
+    def goes_on(self, state: CaromState, layout: Layout, player: int) -> Ruling:
         """The ruling by which a player strikes next, after a point of theirs where there is a run."""
-        notes = told(points(who, 1)) if state.run else ()
+        notes = score_notes(points(player, 1)) if state.run else ()
         lost = tuple(ball for ball in layout if layout[ball].phase == POCKETED)
         if lost:
-            layout, spotted = self.spot(state, layout, who, lost)
-            return self.ruled(self.aim(state, who), layout, *notes, spotted=spotted)
-        touching = self.touching(state, layout, who)
+            layout, spotted = self.spot(state, layout, player, lost)
+            return self.ruled(self.aim(state, player), layout, *notes, spotted=spotted)
+        touching = self.touching(state, layout, player)
         if touching:
-            return self.frozen(state, layout, who, touching, notes)
-        return self.ruled(self.aim(state, who), layout, *notes)
+            return self.frozen(state, layout, player, touching, notes)
+        return self.ruled(self.aim(state, player), layout, *notes)
 
     def picked(self, state: CaromState, layout: Layout, key: str) -> Ruling:
-        who = state.ask.who
+        player = state.ask.player
         name, _, spot = key.partition(":")
         if name == "start-spot":
-            layout = put(layout, self.ball_of(state, who), self.table.furniture.spots[spot])
-            return self.ruled(self.opened(state, who, spot), layout)
-        layout, spotted = self.spot(state, layout, who, (self.ball_of(state, who), *self.touching(state, layout, who)))
-        return self.ruled(self.aim(state, who), layout, spotted=spotted)
+            layout = put(layout, self.ball_of(state, player), self.table.furniture.spots[spot])
+            return self.ruled(self.opened(state, player, spot), layout)
+        layout, spotted = self.spot(
+            state, layout, player, (self.ball_of(state, player), *self.touching(state, layout, player))
+        )
+        return self.ruled(self.aim(state, player), layout, spotted=spotted)
 
     def fouls(self, state: CaromState, report: Report) -> Iterator[Note]:
         """Art. 41: what ends an inning, as far as it can be seen. 23: the opening goes straight to the red."""
@@ -170,9 +174,9 @@ class Carom(Rules[CaromState]):
         """Art. 24: whether the cue ball touched both other balls."""
         return len(set(_met(report))) == 2
 
-    def touching(self, state: CaromState, layout: Layout, who: int) -> tuple[str, ...]:
+    def touching(self, state: CaromState, layout: Layout, player: int) -> tuple[str, ...]:
         """The balls that touch a player's cue ball."""
-        cue = layout[self.ball_of(state, who)]
+        cue = layout[self.ball_of(state, player)]
         return tuple(
             ball.id
             for ball in layout.on_table()
@@ -181,7 +185,7 @@ class Carom(Rules[CaromState]):
         )
 
     def spot(
-        self, state: CaromState, layout: Layout, who: int, balls: Collection[str]
+        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
     ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """Art. 27 (4): balls on their spots before a player's stroke."""
         raise NotImplementedError
@@ -198,15 +202,15 @@ class Carom(Rules[CaromState]):
         Who reaches the points first wins, but where innings are to be equal the second player has one more, from the
         starting position. After the last inning of a limit the higher score wins; a tie is a draw.
         """
-        who = state.ask.who
-        opponent, notes = self.other(who), told(change)
-        state = replace(state, innings=changed(state.innings, who, state.innings[who] + 1), run=0, zone=-1)
-        done = state.scores[who] >= self.goal
-        if done and who == state.breaker and self.options.equal == "yes":
+        player = state.ask.player
+        opponent, notes = self.other(player), score_notes(change)
+        state = replace(state, innings=changed(state.innings, player, state.innings[player] + 1), run=0, zone=-1)
+        done = state.scores[player] >= self.goal
+        if done and player == state.breaker and self.options.equal == "yes":
             state = replace(self.opened(state, opponent), last=True)
             layout = self.set_up(state, layout, opponent)
             return self.ruled(state, layout, *notes, Note("last-inning", opponent), points=change)
-        limited = who != state.breaker and 0 < self.options.innings <= state.innings[who]
+        limited = player != state.breaker and 0 < self.options.innings <= state.innings[player]
         if done or state.last or limited:
             first, second = state.scores
             winner = -1 if first == second else int(second > first)

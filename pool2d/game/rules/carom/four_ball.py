@@ -44,37 +44,37 @@ class FourBall(Carom):
         """The finish counts as a point more."""
         return super().goal + (1.0 if self.options.finish == "yes" else 0.0)
 
-    def aim(self, state: CaromState, who: int, *options: str) -> CaromState:
-        state = super().aim(state, who, *options)
+    def aim(self, state: CaromState, player: int, *options: str) -> CaromState:
+        state = super().aim(state, player, *options)
         return replace(state, ask=replace(state.ask, on=REDS))
 
-    def opened(self, state: CaromState, who: int, spot: str = "right") -> CaromState:
+    def opened(self, state: CaromState, player: int, spot: str = "right") -> CaromState:
         """The opening stroke goes to the far red."""
-        state = replace(self.aim(state, who), opening=True)
+        state = replace(self.aim(state, player), opening=True)
         return replace(state, ask=replace(state.ask, on=(FAR,)))
 
-    def set_up(self, state: CaromState, layout: Layout, who: int, spot: str = "right") -> Layout:
+    def set_up(self, state: CaromState, layout: Layout, player: int, spot: str = "right") -> Layout:
         """The reds on the head and the foot spot, the player's ball beside the one, the opponent's behind the other."""
-        for ball, place in self._homes(state, who).items():
+        for ball, place in self._homes(state, player).items():
             layout = put(layout, ball, self.table.furniture.spots[place])
         return layout
 
     def judge(self, state: CaromState, layout: Layout, report: Report) -> Ruling:
-        who = state.ask.who
+        player = state.ask.player
         found = tuple(self.fouls(state, report))
         if found:
-            change = points(who, -1)
+            change = points(player, -1)
             state = replace(added(state, change), shots=state.shots + 1, opening=False)
             return self._inning_over(state, layout, found, change)
-        if self.due(state, who) and self.cannon(report) and cushions_before_last(report) < 3:
+        if self.due(state, player) and self.cannon(report) and cushions_before_last(report) < 3:
             state = replace(state, shots=state.shots + 1, opening=False)
             ruling = self._inning_over(state, layout, ())
-            return ruling._replace(notes=(Note("no-finish", who), *ruling.notes))
+            return ruling._replace(notes=(Note("no-finish", player), *ruling.notes))
         return super().judge(state, layout, report)
 
-    def due(self, state: CaromState, who: int) -> bool:
+    def due(self, state: CaromState, player: int) -> bool:
         """Whether a player has all points but the finish."""
-        return self.options.finish == "yes" and state.scores[who] == self.goal - 1
+        return self.options.finish == "yes" and state.scores[player] == self.goal - 1
 
     def counts(self, report: Report) -> bool:
         return True
@@ -90,7 +90,7 @@ class FourBall(Carom):
         for ball in report.off:
             yield Note("foul.off", ball=ball)
         met = _met(report)
-        other = self.ball_of(state, self.other(state.ask.who))
+        other = self.ball_of(state, self.other(state.ask.player))
         if other in met:
             yield Note("foul.other-ball", ball=other)
         if not set(REDS) & set(met):
@@ -103,16 +103,16 @@ class FourBall(Carom):
             yield Note("foul.not-far")
 
     def frozen(
-        self, state: CaromState, layout: Layout, who: int, touching: tuple[str, ...], notes: tuple[Note, ...]
+        self, state: CaromState, layout: Layout, player: int, touching: tuple[str, ...], notes: tuple[Note, ...]
     ) -> Ruling:
         """The player has to play away from a ball that touches."""
-        return self.ruled(self.aim(state, who), layout, *notes)
+        return self.ruled(self.aim(state, player), layout, *notes)
 
     def spot(
-        self, state: CaromState, layout: Layout, who: int, balls: Collection[str]
+        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
     ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """Balls that left the table go where they began, or on the next spot that is free."""
-        spots, homes = self.table.furniture.spots, self._homes(state, who)
+        spots, homes = self.table.furniture.spots, self._homes(state, player)
         spotted: list[tuple[str, Point]] = []
         for ball in (ball for ball in homes if ball in balls):
             names = (homes[ball], *homes.values(), "center")
@@ -121,9 +121,9 @@ class FourBall(Carom):
             spotted.append((ball, place))
         return layout, tuple(spotted)
 
-    def _homes(self, state: CaromState, who: int) -> dict[str, str]:
+    def _homes(self, state: CaromState, player: int) -> dict[str, str]:
         """The spots on which the balls begin."""
-        mine, other = self.ball_of(state, who), self.ball_of(state, self.other(who))
+        mine, other = self.ball_of(state, player), self.ball_of(state, self.other(player))
         return {RED: "head", FAR: "foot", mine: "right", other: "far"}
 
 

@@ -42,9 +42,9 @@ class StraightRail(Carom):
         ruling = super().judge(state, layout, report)
         if ruling.state.over:
             return ruling
-        stayed = state.zone > 0 and not self._driven_out(state, report) and ruling.ask.who == state.ask.who
+        stayed = state.zone > 0 and not self._driven_out(state, report) and ruling.ask.player == state.ask.player
         now: CaromState = ruling.state  # type: ignore[assignment]
-        corner = self.corner(now, ruling.layout, ruling.ask.who)
+        corner = self.corner(now, ruling.layout, ruling.ask.player)
         zone = (state.zone - 1 if stayed else STROKES) if corner else -1
         return ruling._replace(state=replace(now, zone=zone))
 
@@ -57,11 +57,11 @@ class StraightRail(Carom):
     def _driven_out(self, state: CaromState, report: Report) -> bool:
         return bool(set(state.ask.on) & set(report.strayed))
 
-    def corner(self, state: CaromState, layout: Layout, who: int) -> str:
+    def corner(self, state: CaromState, layout: Layout, player: int) -> str:
         """The corner both other balls are in, "" for none."""
         if self.options.corners == "no":
             return ""
-        mine = self.ball_of(state, who)
+        mine = self.ball_of(state, player)
         found = {corner_of(self.table, ball.x, ball.y) for ball in layout.on_table() if ball.id != mine}
         return found.pop() if len(found) == 1 else ""
 
@@ -72,8 +72,8 @@ class StraightRail(Carom):
         return ruling._replace(state=replace(now, zone=-1))
 
     def spot(
-        self, state: CaromState, layout: Layout, who: int, balls: Collection[str]
+        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
     ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """Art. 27 (4) (a), 28: all three balls to the starting position."""
-        layout = self.set_up(state, layout, who)
+        layout = self.set_up(state, layout, player)
         return layout, tuple((ball.id, (ball.x, ball.y)) for ball in layout.values())

@@ -31,7 +31,7 @@ class ThreeCushion(Carom):
         return Note(f"cushions.{cushions_before_last(report)}") if self.cannon(report) else super().missed(report)
 
     def spot(
-        self, state: CaromState, layout: Layout, who: int, balls: Collection[str]
+        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
     ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """Art. 27 (4) (b): the red on the foot spot, the player's ball on the head, the opponent's on the centre.
 
@@ -39,7 +39,7 @@ class ThreeCushion(Carom):
         on that of the ball which occupies it.
         """
         spots = self.table.furniture.spots
-        home = {RED: "foot", self.ball_of(state, who): "head", self.ball_of(state, self.other(who)): "center"}
+        home = {RED: "foot", self.ball_of(state, player): "head", self.ball_of(state, self.other(player)): "center"}
         moved = layout.without(*balls)
         spotted: list[tuple[str, Point]] = []
         for ball in sorted(balls, key=list(home).index):

@@ -56,17 +56,17 @@ class Blackball(PoolRules[BlackballState]):
     options_type = BlackballOptions
     state_type = BlackballState
 
-    def on(self, state: BlackballState, layout: Layout, who: int) -> tuple[str, ...]:
+    def on(self, state: BlackballState, layout: Layout, player: int) -> tuple[str, ...]:
         """5.1: one's colour, and the black when it is gone; both colours on an open table; with a free shot any."""
         standing = self.on_table(layout)
         if state.free or not state.shots:
             return standing
-        colors = (RED, YELLOW) if state.open else (state.groups[who],)
+        colors = (RED, YELLOW) if state.open else (state.groups[player],)
         mine = tuple(ball for color in colors for ball in self._balls(color) if ball in standing)
         return mine or tuple(ball for ball in standing if ball == BLACK)
 
     def judge(self, state: BlackballState, layout: Layout, report: Report) -> Ruling:
-        who = state.ask.who
+        shooter = state.ask.player
         if not state.shots:
             return self._break(replace(state, shots=1), layout, report)
         state = replace(state, shots=state.shots + 1)
@@ -77,27 +77,28 @@ class Blackball(PoolRules[BlackballState]):
         if fouls:
             return self._fouled(state, layout, fouls, spotted)
         fallen = {color for color in (RED, YELLOW) if set(report.potted) & set(self._balls(color))}
-        mine = bool(fallen) if state.open else state.groups[who] in fallen
+        mine = bool(fallen) if state.open else state.groups[shooter] in fallen
         # 5.7: a free shot ends no visit.
-        player = who if mine or state.free else self.other(who)
+        player = shooter if mine or state.free else self.other(shooter)
         notes: tuple[Note, ...] = ()
         if state.open and len(fallen) == 1 and not state.free:
             # 5.6: not by a free shot, and not by balls of both colours.
             color = fallen.pop()
             other = YELLOW if color == RED else RED
-            state, notes = replace(state, groups=changed((other, other), who, color)), (Note(f"group.{color}", who),)
+            state = replace(state, groups=changed((other, other), shooter, color))
+            notes = (Note(f"group.{color}", shooter),)
         return self.ruled(self._aiming(state, layout, player), layout, *notes)
 
     def picked(self, state: BlackballState, layout: Layout, key: str) -> Ruling:
-        who = state.ask.who
+        player = state.ask.player
         if key == "re-rack":
             # 5.5: the free shot is kept, and is the break.
-            ruling = self.broken_by(who, state)
+            ruling = self.broken_by(player, state)
             again: BlackballState = ruling.state  # type: ignore[assignment]
             return ruling._replace(state=replace(again, free=True))
         # 5.1: the cue ball may be taken to baulk for a free shot.
         layout = layout.put(layout[self.table.furniture.cue]._replace(phase=POCKETED))
-        return self.ruled(self._aiming(state, layout, who, free=True), layout)
+        return self.ruled(self._aiming(state, layout, player, free=True), layout)
 
     def fouls(self, state: BlackballState, report: Report) -> Iterator[Note]:
         """5.10: the standard fouls, as far as they can be seen."""
@@ -115,7 +116,7 @@ class Blackball(PoolRules[BlackballState]):
 
     def _theirs(self, state: BlackballState, report: Report) -> Iterator[Note]:
         """5.9: the opponent's balls may fall with one's own (a skill shot), but not alone."""
-        if state.open or set(report.potted) & {*self._balls(state.groups[state.ask.who]), BLACK}:
+        if state.open or set(report.potted) & {*self._balls(state.groups[state.ask.player]), BLACK}:
             return
         for ball in report.potted:
             yield Note("foul.potted", ball=ball)
@@ -125,7 +126,7 @@ class Blackball(PoolRules[BlackballState]):
 
         To play away from a touching ball that is on is to have hit it.
         """
-        on = self.on(state, report.start, state.ask.who)
+        on = self.on(state, report.start, state.ask.player)
         touched = bool(set(report.touching) & set(on))
         if not report.first and not touched:
             yield Note("foul.no-hit")
@@ -138,9 +139,9 @@ class Blackball(PoolRules[BlackballState]):
 
     def _break(self, state: BlackballState, layout: Layout, report: Report) -> Ruling:
         """5.5: it never gives a colour. The black potted means another break by the same player."""
-        who = state.ask.who
+        shooter = state.ask.player
         if BLACK in report.potted:
-            ruling = self.broken_by(who, state)
+            ruling = self.broken_by(shooter, state)
             again: BlackballState = ruling.state  # type: ignore[assignment]
             notes = (Note("re-racked"), *ruling.notes)
             return ruling._replace(state=replace(again, free=state.free), notes=notes)
@@ -150,7 +151,7 @@ class Blackball(PoolRules[BlackballState]):
             return self._fouled(state, layout, (Note("foul.break"), *fouls), spotted, "re-rack")
         if fouls:
             return self._fouled(state, layout, fouls, spotted)
-        player = who if report.potted or state.free else self.other(who)
+        player = shooter if report.potted or state.free else self.other(shooter)
         return self.ruled(self._aiming(state, layout, player), layout)
 
     def _broken(self, report: Report) -> bool:
@@ -161,13 +162,13 @@ class Blackball(PoolRules[BlackballState]):
 
     def _black(self, state: BlackballState, layout: Layout, fouls: tuple[Note, ...]) -> Ruling:
         """5.11: with the last of one's colour, or after it, and without foul, it wins; else it loses."""
-        who = state.ask.who
+        player = state.ask.player
         standing = self.on_table(layout)
-        cleared = not state.open and not any(ball in standing for ball in self._balls(state.groups[who]))
+        cleared = not state.open and not any(ball in standing for ball in self._balls(state.groups[player]))
         if cleared and not fouls:
-            return self.ruled(self.ended(state, who), layout)
+            return self.ruled(self.ended(state, player), layout)
         reason = "loss.black-foul" if cleared else "loss.black-early"
-        return self.ruled(self.ended(state, self.other(who)), layout, Note(reason, who), fouls=fouls)
+        return self.ruled(self.ended(state, self.other(player)), layout, Note(reason, player), fouls=fouls)
 
     def _fouled(
         self,
@@ -178,17 +179,17 @@ class Blackball(PoolRules[BlackballState]):
         *options: str,
     ) -> Ruling:
         """5.1, 5.10: the opponent has a free shot, from where the cue ball lies or from baulk, and then a visit."""
-        opponent = self.other(state.ask.who)
+        opponent = self.other(state.ask.player)
         state = self._aiming(state, layout, opponent, *options, free=True)
         return self.ruled(state, layout, Note("free-shot", opponent), fouls=fouls, spotted=spotted)
 
     def _aiming(
-        self, state: BlackballState, layout: Layout, who: int, *options: str, free: bool = False
+        self, state: BlackballState, layout: Layout, player: int, *options: str, free: bool = False
     ) -> BlackballState:  # fmt: skip
         """The state in which a player shoots; with a free shot from baulk where the cue ball is off the table."""
         gone = layout[self.table.furniture.cue].phase == POCKETED
         choices = (*(("baulk",) if free and not gone else ()), *options)
-        return self.next(replace(state, free=free), layout, who, KITCHEN if gone else "", options=choices)
+        return self.next(replace(state, free=free), layout, player, KITCHEN if gone else "", options=choices)
 
     def next_note(self, state: BlackballState) -> Note:
         note = super().next_note(state)

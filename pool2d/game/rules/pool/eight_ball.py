@@ -38,7 +38,7 @@ class EightBall(PoolRules[EightBallState]):
     call = "pocket"
     may = ("safety",)
 
-    def on(self, state: EightBallState, layout: Layout, who: int) -> tuple[str, ...]:
+    def on(self, state: EightBallState, layout: Layout, player: int) -> tuple[str, ...]:
         """4.4: on an open table any ball but the eight, and that too once a group is gone. 4.5: else one's own.
 
         On the break any ball may be hit first (4.3).
@@ -49,11 +49,11 @@ class EightBall(PoolRules[EightBallState]):
         left = {name: tuple(ball for ball in balls if ball in self._balls(name)) for name in self.groups}
         eight = (EIGHT,) if EIGHT in balls else ()
         if not state.open:
-            return left[state.groups[who]] or eight
+            return left[state.groups[player]] or eight
         return left[SOLID] + left[STRIPE] + (() if all(left.values()) else eight)
 
     def judge(self, state: EightBallState, layout: Layout, report: Report) -> Ruling:
-        who, ask = state.ask.who, state.ask
+        player, ask = state.ask.player, state.ask
         fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
         state = replace(state, shots=state.shots + 1)
         if state.shots == 1:
@@ -63,34 +63,34 @@ class EightBall(PoolRules[EightBallState]):
             return self._eight(state, layout, report, fouls)
         if fouls:
             # 4.9: the incoming player has the cue ball in hand anywhere.
-            return self.ruled(self.next(state, layout, self.other(who), ANYWHERE), layout, fouls=fouls)
+            return self.ruled(self.next(state, layout, self.other(player), ANYWHERE), layout, fouls=fouls)
         if called not in ask.on:
             lost = () if report.call.safety else tuple(Note("not-called", ball=ball) for ball in report.potted)
-            return self.ruled(self.next(state, layout, self.other(who)), layout, *lost)
+            return self.ruled(self.next(state, layout, self.other(player)), layout, *lost)
         notes: tuple[Note, ...] = ()
         if state.open:
             # 4.4: the ball called gives its group.
             mine, other = (SOLID, STRIPE) if called in self._balls(SOLID) else (STRIPE, SOLID)
-            state = replace(state, groups=(mine, other) if who == 0 else (other, mine))
-            notes = (Note(f"group.{mine}", who),)
-        return self.ruled(self.next(state, layout, who), layout, *notes)
+            state = replace(state, groups=(mine, other) if player == 0 else (other, mine))
+            notes = (Note(f"group.{mine}", player),)
+        return self.ruled(self.next(state, layout, player), layout, *notes)
 
     def picked(self, state: EightBallState, layout: Layout, key: str) -> Ruling:
         if key != "spot-eight":
             return super().picked(state, layout, key)
         # 4.3 (e), (f): the breaker goes on where the balls lie; the opponent from behind the head string.
-        who = state.ask.who
+        player = state.ask.player
         layout, spotted = spot_balls(self.table, layout, (EIGHT,))
-        where = "" if who == state.breaker else KITCHEN
-        return self.ruled(self.next(state, layout, who, where), layout, spotted=spotted)
+        where = "" if player == state.breaker else KITCHEN
+        return self.ruled(self.next(state, layout, player, where), layout, spotted=spotted)
 
     def _break(self, state: EightBallState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
         """4.3: the break. It never gives groups."""
-        who = state.ask.who
-        opponent = self.other(who)
+        player = state.ask.player
+        opponent = self.other(player)
         if EIGHT in report.potted:
             # (e), (f)
-            chooser = opponent if fouls else who
+            chooser = opponent if fouls else player
             return self.ruled(self.to_choose(state, chooser, "spot-eight", "re-rack"), layout, fouls=fouls)
         layout, spotted = spot_balls(self.table, layout, tuple(ball for ball in report.off if ball == EIGHT))
         keep = () if gone(layout, report.cue) else ("accept",)
@@ -107,11 +107,11 @@ class EightBall(PoolRules[EightBallState]):
                 )
             return self.ruled(self.next(state, layout, opponent, KITCHEN), layout, fouls=fouls, spotted=spotted)
         # (c)
-        return self.ruled(self.next(state, layout, who if report.potted else opponent), layout)
+        return self.ruled(self.next(state, layout, player if report.potted else opponent), layout)
 
     def _eight(self, state: EightBallState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
         """4.8: the eight decides the rack, one way or the other."""
-        who = state.ask.who
+        player = state.ask.player
         if EIGHT in report.off:
             reason = "loss.eight-off"
         elif fouls:
@@ -121,8 +121,8 @@ class EightBall(PoolRules[EightBallState]):
         elif report.called() != EIGHT:
             reason = "loss.eight-pocket"
         else:
-            return self.ruled(self.ended(state, who), layout)
-        return self.ruled(self.ended(state, self.other(who)), layout, Note(reason, who), fouls=fouls)
+            return self.ruled(self.ended(state, player), layout)
+        return self.ruled(self.ended(state, self.other(player)), layout, Note(reason, player), fouls=fouls)
 
     def _balls(self, group: str) -> tuple[str, ...]:
         return self.table.furniture.groups[group]

@@ -50,18 +50,18 @@ class EnglishEightBall(PoolRules[EnglishState]):
     groups = (RED, YELLOW)
     state_type = EnglishState
 
-    def on(self, state: EnglishState, layout: Layout, who: int) -> tuple[str, ...]:
+    def on(self, state: EnglishState, layout: Layout, player: int) -> tuple[str, ...]:
         """C (3): one's colour, and the black when it is gone; on an open table both colours (H)."""
         if not state.shots:
             return self.on_table(layout)
         standing = self.on_table(layout)
-        colors = (RED, YELLOW) if state.open and not state.trial else (state.trial or state.groups[who],)
+        colors = (RED, YELLOW) if state.open and not state.trial else (state.trial or state.groups[player],)
         mine = tuple(ball for color in colors for ball in self.table.furniture.groups[color] if ball in standing)
         return mine or tuple(ball for ball in standing if ball == BLACK)
 
     def judge(self, state: EnglishState, layout: Layout, report: Report) -> Ruling:
-        who, broken = state.ask.who, not state.shots
-        on = self.on(state, report.start, who)
+        player, broken = state.ask.player, not state.shots
+        on = self.on(state, report.start, player)
         state = replace(state, shots=state.shots + 1)
         if broken:
             return self._break(state, layout, report)
@@ -78,29 +78,29 @@ class EnglishEightBall(PoolRules[EnglishState]):
         if state.open and potted:
             if not state.trial and len(fallen) == 2:
                 # H (3) (b)
-                return self.ruled(self._nominating(state, who), layout)
-            state, notes = self._decided(state, who, state.trial or fallen.pop())
+                return self.ruled(self._nominating(state, player), layout)
+            state, notes = self._decided(state, player, state.trial or fallen.pop())
         state = replace(state, trial="")
         return self._goes_on(state, layout, potted, notes)
 
     def picked(self, state: EnglishState, layout: Layout, key: str) -> Ruling:
-        who = state.ask.who
+        player = state.ask.player
         name, _, color = key.partition(":")
         if name == "baulk":
             # P (3) (b), (4) (b): a player who takes the cue ball to baulk may be foul-snookered there too.
             layout = layout.put(layout[self.table.furniture.cue]._replace(phase=POCKETED))
-            return self._to_play(state, layout, who)
+            return self._to_play(state, layout, player)
         # H (2) (c), (3) (b): a colour of which a ball has fallen is one's own, another has to be potted first.
         if any(layout[ball].phase == POCKETED for ball in self.table.furniture.groups[color]):
-            state, notes = self._decided(state, who, color)
-            return self.ruled(self.next(state, layout, who), layout, *notes)
+            state, notes = self._decided(state, player, color)
+            return self.ruled(self.next(state, layout, player), layout, *notes)
         state = replace(state, trial=color)
-        return self.ruled(self.next(state, layout, who), layout)
+        return self.ruled(self.next(state, layout, player), layout)
 
-    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+    def pots(self, player: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
         """Not a ball that left the colours undecided, since it was not the one that had been chosen (H 2 c)."""
         state: EnglishState = ruling.state  # type: ignore[assignment]
-        return () if state.open and ruling.ask.kind == AIM else super().pots(who, report, ruling)
+        return () if state.open and ruling.ask.kind == AIM else super().pots(player, report, ruling)
 
     def fouls(self, state: EnglishState, report: Report, on: tuple[str, ...], nominated: str) -> Iterator[Note]:
         """K, N, R and S: the standard fouls, as far as they can be seen, and G: a shot that is not legal."""
@@ -111,7 +111,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
             yield Note("foul.cue-off")
         for ball in report.off:
             yield Note("foul.off", ball=ball)
-        theirs = () if state.open else self.table.furniture.groups[state.groups[self.other(state.ask.who)]]
+        theirs = () if state.open else self.table.furniture.groups[state.groups[self.other(state.ask.player)]]
         for ball in report.potted:
             if ball in theirs and ball != nominated:
                 yield Note("foul.potted", ball=ball)
@@ -144,11 +144,11 @@ class EnglishEightBall(PoolRules[EnglishState]):
 
     def _break(self, state: EnglishState, layout: Layout, report: Report) -> Ruling:
         """F (4): the break is fair where a colour is potted or four balls are driven to a cushion."""
-        who = state.ask.who
-        opponent = self.other(who)
+        player = state.ask.player
+        opponent = self.other(player)
         if BLACK in report.potted:
             # The same player breaks again, whatever else happened.
-            return self._racked_again(state, who, state.visits)
+            return self._racked_again(state, player, state.visits)
         if not report.potted and driven(report) < DRIVEN:
             # (b)
             return self._racked_again(state, opponent, 2, Note("foul.break"))
@@ -163,29 +163,34 @@ class EnglishEightBall(PoolRules[EnglishState]):
             return self._fouled(state, layout, fouls, spotted)
         if report.potted:
             # H (2) (b)
-            return self.ruled(self._nominating(state, who), layout)
+            return self.ruled(self._nominating(state, player), layout)
         return self._goes_on(state, layout, False)
 
-    def _racked_again(self, state: EnglishState, who: int, visits: int, *fouls: Note) -> Ruling:
+    def _racked_again(self, state: EnglishState, player: int, visits: int, *fouls: Note) -> Ruling:
         """A new rack, which a player breaks with one visit or two."""
-        ruling = self.broken_by(who, state)
+        ruling = self.broken_by(player, state)
         again: EnglishState = ruling.state  # type: ignore[assignment]
-        notes = (*fouls, Note("re-racked"), *((Note("two-visits", who),) if visits > 1 else ()), Note("break", who))
+        notes = (
+            *fouls,
+            Note("re-racked"),
+            *((Note("two-visits", player),) if visits > 1 else ()),
+            Note("break", player),
+        )
         return ruling._replace(state=replace(again, visits=visits), fouls=fouls, notes=notes)
 
     def _black(self, state: EnglishState, layout: Layout, on: tuple[str, ...], fouls: tuple[Note, ...]) -> Ruling:
         """D (1): the black, on and without foul, wins. M: it loses on a foul, or before one's colour is gone."""
-        who = state.ask.who
+        player = state.ask.player
         if BLACK in on and not fouls:
-            return self.ruled(self.ended(state, who), layout)
+            return self.ruled(self.ended(state, player), layout)
         reason = "loss.black-foul" if BLACK in on else "loss.black-early"
-        return self.ruled(self.ended(state, self.other(who)), layout, Note(reason, who), fouls=fouls)
+        return self.ruled(self.ended(state, self.other(player)), layout, Note(reason, player), fouls=fouls)
 
     def _fouled(
         self, state: EnglishState, layout: Layout, fouls: tuple[Note, ...], spotted: tuple[tuple[str, Point], ...]
     ) -> Ruling:
         """K: the opponent has two visits."""
-        opponent = self.other(state.ask.who)
+        opponent = self.other(state.ask.player)
         state = replace(state, visits=2, trial="")
         return self._to_play(state, layout, opponent, fouls, spotted, (Note("two-visits", opponent),))
 
@@ -193,7 +198,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
         self,
         state: EnglishState,
         layout: Layout,
-        who: int,
+        player: int,
         fouls: tuple[Note, ...] = (),
         spotted: tuple[tuple[str, Point], ...] = (),
         notes: tuple[Note, ...] = (),
@@ -203,7 +208,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
         Who is foul-snookered, by balls or by a jaw (Q), may play from where the cue ball lies or from baulk, and
         nominate a ball that is not on.
         """
-        on, cue = self.on(state, layout, who), layout[self.table.furniture.cue]
+        on, cue = self.on(state, layout, player), layout[self.table.furniture.cue]
         where = KITCHEN if cue.phase == POCKETED else ""
         # Q: a jaw snookers the cue ball that lies between it and its like.
         hidden = (
@@ -214,29 +219,29 @@ class EnglishEightBall(PoolRules[EnglishState]):
         state = replace(state, free=hidden)
         if hidden:
             options = () if where else ("baulk",)
-            state = self.next(state, layout, who, where, on=self.on_table(layout), call="ball", options=options)
+            state = self.next(state, layout, player, where, on=self.on_table(layout), call="ball", options=options)
             notes = (*notes, Note("free-ball"))
         else:
-            state = self.next(state, layout, who, where, options=())
+            state = self.next(state, layout, player, where, options=())
         return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted)
 
     def _goes_on(self, state: EnglishState, layout: Layout, potted: bool, notes: tuple[Note, ...] = ()) -> Ruling:
         """C (5), (6): a visit lasts while balls on are potted; then comes the next, or the opponent."""
-        who, state = state.ask.who, replace(state, free=False)
+        player, state = state.ask.player, replace(state, free=False)
         if not potted:
             mine = state.visits > 1
-            who = who if mine else self.other(who)
+            player = player if mine else self.other(player)
             state = replace(state, visits=state.visits - 1 if mine else 1)
-        return self.ruled(self.next(state, layout, who), layout, *notes)
+        return self.ruled(self.next(state, layout, player), layout, *notes)
 
-    def _nominating(self, state: EnglishState, who: int) -> EnglishState:
-        return self.to_choose(replace(state, free=False, trial=""), who, f"group:{RED}", f"group:{YELLOW}")
+    def _nominating(self, state: EnglishState, player: int) -> EnglishState:
+        return self.to_choose(replace(state, free=False, trial=""), player, f"group:{RED}", f"group:{YELLOW}")
 
-    def _decided(self, state: EnglishState, who: int, color: str) -> tuple[EnglishState, tuple[Note, ...]]:
+    def _decided(self, state: EnglishState, player: int, color: str) -> tuple[EnglishState, tuple[Note, ...]]:
         """H (1) (c): a player's colour, and the other for the opponent, for the rest of the frame."""
         other = YELLOW if color == RED else RED
-        groups = changed((other, other), who, color)
-        return replace(state, groups=groups, trial=""), (Note(f"group.{color}", who),)
+        groups = changed((other, other), player, color)
+        return replace(state, groups=groups, trial=""), (Note(f"group.{color}", player),)
 
     def spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """S: balls off the table go on the spot, or behind it without touching another: the black, reds, yellows."""

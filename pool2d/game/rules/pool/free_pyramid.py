@@ -14,7 +14,7 @@ from ..base import AIM, Ask, Rules, Ruling, State
 from ..notes import Note
 from ..report import Report
 from ..spotting import KITCHEN, nearest, put
-from .pool import added, points, told
+from .pool import added, points, score_notes
 
 # 1: the points that win.
 TARGET = 8
@@ -40,28 +40,28 @@ class FreePyramid(Rules[State]):
         return COLORED if ball == self.table.furniture.cue else super().spoken(ball)
 
     def judge(self, state: State, layout: Layout, report: Report) -> Ruling:
-        who, breaks = state.ask.who, not state.shots
+        shooter, breaks = state.ask.player, not state.shots
         state = replace(state, shots=state.shots + 1)
         fouls = tuple(self.fouls(report, breaks))
         if fouls:
             return self._foul(state, layout, report, breaks, fouls)
         # 5.4, 5.5, 6: every ball counts, whatever it was struck or hit by.
-        change = points(who, len(report.fallen))
-        notes = (Note("own-ball", who),) if report.scratch else ()
+        change = points(shooter, len(report.fallen))
+        notes = (Note("own-ball", shooter),) if report.scratch else ()
         state = added(state, change)
-        if state.scores[who] >= TARGET:
-            return self.ruled(self.ended(state, who), layout, *notes, *told(change), points=change)
+        if state.scores[shooter] >= TARGET:
+            return self.ruled(self.ended(state, shooter), layout, *notes, *score_notes(change), points=change)
         # 5.2, 5.3
-        player = who if report.fallen else self.other(who)
+        player = shooter if report.fallen else self.other(shooter)
         state = self._aiming(state, layout, player, report.cue)
-        return self.ruled(state, layout, *notes, *told(change), points=change)
+        return self.ruled(state, layout, *notes, *score_notes(change), points=change)
 
     def picked(self, state: State, layout: Layout, key: str) -> Ruling:
         """General rules: after a foul at the break the other player plays on, breaks anew, or has it broken anew."""
-        who = state.ask.who
+        player = state.ask.player
         if key == "accept":
-            return self.ruled(self._aiming(state, layout, who), layout)
-        return self._broken_by(who if key == "re-rack" else self.other(who), state)
+            return self.ruled(self._aiming(state, layout, player), layout)
+        return self._broken_by(player if key == "re-rack" else self.other(player), state)
 
     def fouls(self, report: Report, breaks: bool) -> Iterator[Note]:
         """7, and the general rules: what ends a turn and gives the other player a point, as far as it can be seen."""
@@ -83,7 +83,7 @@ class FreePyramid(Rules[State]):
         self, state: State, layout: Layout, report: Report, breaks: bool, fouls: tuple[Note, ...]
     ) -> Ruling:  # fmt: skip
         """6: a point for the other player; what fell or left the table is spotted."""
-        opponent = self.other(state.ask.who)
+        opponent = self.other(state.ask.player)
         change = points(opponent, 1)
         state = added(state, change)
         gone = (*report.fallen, *report.off, *((report.cue,) if report.cue_off else ()))
@@ -94,7 +94,7 @@ class FreePyramid(Rules[State]):
             state = self.to_choose(state, opponent, "accept", "re-rack", "opponent-breaks")
         else:
             state = self._aiming(state, layout, opponent, report.cue)
-        return self.ruled(state, layout, *told(change), fouls=fouls, spotted=spotted, points=change)
+        return self.ruled(state, layout, *score_notes(change), fouls=fouls, spotted=spotted, points=change)
 
     def _broken_by(self, player: int, state: State) -> Ruling:
         """4: the break, with the ball without a number, from behind the head string; the score is kept."""
@@ -102,11 +102,11 @@ class FreePyramid(Rules[State]):
         state, layout = self.racked(state)
         return self.ruled(self.to_play(state, layout, player, KITCHEN, on=self.on_table(layout)), layout)
 
-    def _aiming(self, state: State, layout: Layout, who: int, struck: str = "") -> State:
+    def _aiming(self, state: State, layout: Layout, player: int, struck: str = "") -> State:
         """2, 5.1: any ball may be struck; the one that was last, unless another is taken."""
         balls = tuple(ball.id for ball in layout.on_table())
         ball = next((ball for ball in (struck, self.table.furniture.cue) if ball in balls), balls[0])
-        return replace(state, turn=who, ask=Ask(AIM, who, ball, on=balls, cues=balls))
+        return replace(state, turn=player, ask=Ask(AIM, player, ball, on=balls, cues=balls))
 
     def _spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
         """General rules: on the foot spot or behind it on the long string, touching nothing; else before it."""

@@ -36,17 +36,17 @@ class NineBall(Rotation):
         return not breaks or (self.options.nine_on_break == "wins" and self._spread(report))
 
     def after(self, state: State, layout: Layout, report: Report, breaks: bool) -> State:
-        who = state.ask.who
+        player = state.ask.player
         if breaks and not self._spread(report):
             # Regulation 16: no foul; the opponent plays, without a push out, or hands it back.
-            return self.to_choose(state, self.other(who), "play", "hand-back")
+            return self.to_choose(state, self.other(player), "play", "hand-back")
         # 5.5
-        return self.goes_on(state, layout, who if report.potted else self.other(who), breaks)
+        return self.goes_on(state, layout, player if report.potted else self.other(player), breaks)
 
     def picked(self, state: State, layout: Layout, key: str) -> Ruling:
         if key != "hand-back":
             return super().picked(state, layout, key)
-        return self.ruled(self.goes_on(state, layout, self.other(state.ask.who), breaks=True), layout)
+        return self.ruled(self.goes_on(state, layout, self.other(state.ask.player), breaks=True), layout)
 
     def _spread(self, report: Report) -> bool:
         """Whether a break opened the rack enough."""

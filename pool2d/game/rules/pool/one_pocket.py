@@ -61,15 +61,15 @@ class OnePocket(PoolRules[OnePocketState]):
         name, _, mine = key.partition(":")
         if name != "pocket":
             return super().picked(state, layout, key)
-        who = state.ask.who
+        player = state.ask.player
         other = next(pocket for pocket in foot(self.table) if pocket != mine)
-        state = replace(state, pockets=(mine, other) if who == 0 else (other, mine))
-        return self.ruled(self.to_play(state, layout, who, KITCHEN, on=self.on_table(layout)), layout)
+        state = replace(state, pockets=(mine, other) if player == 0 else (other, mine))
+        return self.ruled(self.to_play(state, layout, player, KITCHEN, on=self.on_table(layout)), layout)
 
     def judge(self, state: OnePocketState, layout: Layout, report: Report) -> Ruling:
-        who, opponent, ask = state.ask.who, self.other(state.ask.who), state.ask
+        shooter, opponent, ask = state.ask.player, self.other(state.ask.player), state.ask
         fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
-        before, state = state, self.counted(replace(state, shots=state.shots + 1), who, bool(fouls))
+        before, state = state, self.counted(replace(state, shots=state.shots + 1), shooter, bool(fouls))
         mine, theirs, neutral = self._sorted(state, report)
         notes: tuple[Note, ...] = ()
         if fouls:
@@ -77,14 +77,14 @@ class OnePocket(PoolRules[OnePocketState]):
             neutral, mine = (*mine, *neutral), ()
             if gone(layout, report.cue):
                 neutral, theirs = (*theirs, *neutral), ()
-            state = replace(state, owed=changed(state.owed, who, state.owed[who] + 1))
-            notes = (*self.second(state, who), Note("owes", who))
-            if self.options.three_foul == "yes" and state.fouls[who] >= 3:
-                return self._told(before, self.ended(state, opponent), layout, Note("foul.three", who), fouls=fouls)
-        held = changed(state.held, who, (*state.held[who], *mine))
+            state = replace(state, owed=changed(state.owed, shooter, state.owed[shooter] + 1))
+            notes = (*self.second(state, shooter), Note("owes", shooter))
+            if self.options.three_foul == "yes" and state.fouls[shooter] >= 3:
+                return self._told(before, self.ended(state, opponent), layout, Note("foul.three", shooter), fouls=fouls)
+        held = changed(state.held, shooter, (*state.held[shooter], *mine))
         held = changed(held, opponent, (*held[opponent], *theirs))
         state = replace(state, held=held, waiting=(*state.waiting, *neutral))
-        for player in (who, opponent):
+        for player in (shooter, opponent):
             if len(state.held[player]) - state.owed[player] >= self.options.target:
                 return self._told(before, self.ended(state, player), layout, *notes, fouls=fouls)
         spotted: tuple[tuple[str, Point], ...] = ()
@@ -93,13 +93,13 @@ class OnePocket(PoolRules[OnePocketState]):
             state, back = _due(state)
             layout, spotted = spot_balls(self.table, layout, back)
         where = KITCHEN if gone(layout, report.cue) else ""  # 6.3: after any other foul the balls lie as they are.
-        state = self.next(state, layout, who if mine else opponent, where)
+        state = self.next(state, layout, shooter if mine else opponent, where)
         return self._told(before, state, layout, *notes, fouls=fouls, spotted=spotted)
 
-    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+    def pots(self, player: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
         """Those in one's own pocket."""
         state: OnePocketState = ruling.state  # type: ignore[assignment]
-        return () if ruling.foul else tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[who])
+        return () if ruling.foul else tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[player])
 
     def _told(self, before: OnePocketState, state: OnePocketState, layout: Layout, *notes: Note, **more: Any) -> Ruling:
         """A ruling with the scores worked out: the balls made, less those owed."""
@@ -111,9 +111,9 @@ class OnePocket(PoolRules[OnePocketState]):
         self, state: OnePocketState, report: Report
     ) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
         """The balls that fell into the shooter's pocket, into the opponent's, and elsewhere or off the table."""
-        who = state.ask.who
-        mine = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[who])
-        theirs = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[self.other(who)])
+        player = state.ask.player
+        mine = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[player])
+        theirs = tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[self.other(player)])
         rest = tuple(ball for ball in (*report.potted, *report.off) if ball not in (*mine, *theirs))
         return mine, theirs, rest
 

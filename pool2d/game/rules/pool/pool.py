@@ -27,7 +27,7 @@ class PoolRules(Rules[S]):
     call = ""
     may: tuple[str, ...] = ()
 
-    def on(self, state: S, layout: Layout, who: int) -> tuple[str, ...]:
+    def on(self, state: S, layout: Layout, player: int) -> tuple[str, ...]:
         """The balls that a player may hit first."""
         return self.on_table(layout)
 
@@ -45,47 +45,47 @@ class PoolRules(Rules[S]):
         """What follows when both players see no progress (1.13): who broke the rack breaks again."""
         return self.broken_by(state.breaker, state)
 
-    def next(self, state: S, layout: Layout, who: int, where: str = "", **more: Any) -> S:
+    def next(self, state: S, layout: Layout, player: int, where: str = "", **more: Any) -> S:
         """The state in which a player shoots after the break.
 
         With the cue ball in hand behind the head string and every ball on behind it too, the one nearest to
         the line may be had spotted (1.6).
         """
-        on, line = self.on(state, layout, who), self.table.furniture.head_string
+        on, line = self.on(state, layout, player), self.table.furniture.head_string
         behind = where == KITCHEN and line is not None and all(layout[ball].x < line for ball in on)
         options = ("spot",) if behind and on else ()
         asked = {"on": on, "call": self.call, "may": self.may, "options": options, **more}
-        return self.to_play(state, layout, who, where, **asked)
+        return self.to_play(state, layout, player, where, **asked)
 
     def picked(self, state: S, layout: Layout, key: str) -> Ruling:
-        who = state.ask.who
+        chooser = state.ask.player
         if key == "re-rack":
-            return self.broken_by(who, state)
+            return self.broken_by(chooser, state)
         if key == "opponent-breaks":
-            return self.broken_by(self.other(who), state)
+            return self.broken_by(self.other(chooser), state)
         if key == "spot":
             nearest = max(state.ask.on, key=lambda ball: (layout[ball].x, ball))
             layout, spotted = spot_balls(self.table, layout, (nearest,))
-            return self.ruled(self.next(state, layout, who, state.ask.where), layout, spotted=spotted)
-        player = self.other(who) if key == "pass" else who
+            return self.ruled(self.next(state, layout, chooser, state.ask.where), layout, spotted=spotted)
+        player = self.other(chooser) if key == "pass" else chooser
         return self.ruled(self.next(state, layout, player, KITCHEN if key == "kitchen" else ""), layout)
 
-    def counted(self, state: S, who: int, foul: bool) -> S:
+    def counted(self, state: S, player: int, foul: bool) -> S:
         """The state with a player's fouls in a row counted: a legal shot ends the row (3.13)."""
-        return replace(state, fouls=changed(state.fouls, who, state.fouls[who] + 1 if foul else 0))
+        return replace(state, fouls=changed(state.fouls, player, state.fouls[player] + 1 if foul else 0))
 
-    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+    def pots(self, player: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
         """Where a ball has to be called, only that one, but for the break; none where the balls may be racked again."""
-        found = super().pots(who, report, ruling)
+        found = super().pots(player, report, ruling)
         again = not ruling.state.shots or "re-rack" in ruling.ask.options
         if again or not self.call or ruling.state.shots == 1:
             return () if again else found
         return tuple(ball for ball in found if ball == report.called())
 
-    def second(self, state: S, who: int) -> tuple[Note, ...]:
+    def second(self, state: S, player: int) -> tuple[Note, ...]:
         """3.13: who has made two fouls in a row is told, where a third is punished."""
-        told = state.fouls[who] == 2 and getattr(self.options, "three_foul", "no") == "yes"
-        return (Note("second-foul", who),) if told else ()
+        told = state.fouls[player] == 2 and getattr(self.options, "three_foul", "no") == "yes"
+        return (Note("second-foul", player),) if told else ()
 
 
 def driven(report: Report) -> int:
@@ -102,9 +102,9 @@ def changed(values: tuple[T, ...], player: int, value: T) -> tuple[T, ...]:
     return tuple(value if i == player else other for i, other in enumerate(values))
 
 
-def points(who: int, count: int) -> tuple[int, ...]:
+def points(scorer: int, count: int) -> tuple[int, ...]:
     """A change of the score for one of two players."""
-    return tuple(count if player == who else 0 for player in (0, 1))
+    return tuple(count if player == scorer else 0 for player in (0, 1))
 
 
 def added(state: S, change: tuple[int, ...]) -> S:
@@ -112,7 +112,7 @@ def added(state: S, change: tuple[int, ...]) -> S:
     return replace(state, scores=tuple(score + more for score, more in zip(state.scores, change, strict=True)))
 
 
-def told(change: tuple[int, ...]) -> tuple[Note, ...]:
+def score_notes(change: tuple[int, ...]) -> tuple[Note, ...]:
     """A change of the score in words."""
     notes = (
         Note("score" if count > 0 else "loses", player, points=abs(count))

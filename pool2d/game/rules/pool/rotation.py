@@ -30,23 +30,23 @@ class Rotation(PoolRules[State]):
     options_type = RotationOptions
     state_type = State
 
-    def on(self, state: State, layout: Layout, who: int) -> tuple[str, ...]:
+    def on(self, state: State, layout: Layout, player: int) -> tuple[str, ...]:
         """The lowest ball on the table."""
         return (min(self.on_table(layout), key=int),)
 
     def judge(self, state: State, layout: Layout, report: Report) -> Ruling:
-        who, opponent, ask = state.ask.who, self.other(state.ask.who), state.ask
+        player, opponent, ask = state.ask.player, self.other(state.ask.player), state.ask
         breaks = state.shots == 0
         push = report.call.push and "push" in ask.may
         fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN and not breaks, push=push)
         if breaks and not report.potted and driven(report) < DRIVEN:
             fouls = (*fouls, Note("foul.break"))
-        state = self.counted(replace(state, shots=state.shots + 1), who, bool(fouls))
+        state = self.counted(replace(state, shots=state.shots + 1), player, bool(fouls))
         if not fouls and not push and self.won(state, report, breaks):
-            return self.ruled(self.ended(state, who), layout)
-        if self.options.three_foul == "yes" and state.fouls[who] >= 3:
+            return self.ruled(self.ended(state, player), layout)
+        if self.options.three_foul == "yes" and state.fouls[player] >= 3:
             # 5.8, 6.10
-            return self.ruled(self.ended(state, opponent), layout, Note("foul.three", who), fouls=fouls)
+            return self.ruled(self.ended(state, opponent), layout, Note("foul.three", player), fouls=fouls)
         # 5.6, 6.8: of the balls that fell or left the table only the last is spotted.
         back = tuple(ball for ball in (*report.potted, *report.off) if ball == self.last)
         layout, spotted = spot_balls(self.table, layout, back)
@@ -58,7 +58,7 @@ class Rotation(PoolRules[State]):
             state = self.to_choose(state, opponent, "play", "pass")
         else:
             state = self.after(state, layout, report, breaks)
-        notes = self.second(state, who) if fouls else ()
+        notes = self.second(state, player) if fouls else ()
         return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted)
 
     def won(self, state: State, report: Report, breaks: bool) -> bool:
@@ -69,7 +69,7 @@ class Rotation(PoolRules[State]):
         """What comes after a legal shot that does not win."""
         raise NotImplementedError
 
-    def goes_on(self, state: State, layout: Layout, who: int, breaks: bool) -> State:
+    def goes_on(self, state: State, layout: Layout, player: int, breaks: bool) -> State:
         """Who shoots next; straight after the break it may be a push out (5.4, 6.4)."""
         may = ("push",) if breaks and self.options.push_out == "yes" else ()
-        return self.next(state, layout, who, may=(*self.may, *may))
+        return self.next(state, layout, player, may=(*self.may, *may))

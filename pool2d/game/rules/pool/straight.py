@@ -11,7 +11,7 @@ from ..notes import Note
 from ..report import Report
 from ..spotting import KITCHEN, spot_balls
 from .fouls import seen
-from .pool import PoolRules, added, driven, gone, points, told
+from .pool import PoolRules, added, driven, gone, points, score_notes
 from .rerack import rerack
 
 # What a breaking foul, a foul, and the third in a row cost (7.9 to 7.11).
@@ -50,13 +50,13 @@ class Straight(PoolRules[StraightState]):
         return self.ruled(self.next(new, layout, player, KITCHEN, options=()), layout)
 
     def judge(self, state: StraightState, layout: Layout, report: Report) -> Ruling:
-        who, ask = state.ask.who, state.ask
+        player, ask = state.ask.player, state.ask
         fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
         opening = state.opening
         state = replace(state, shots=state.shots + 1, opening=False)
         if opening and not _opened(report):
             return self._breaking_foul(state, layout, report, fouls)
-        state = self.counted(state, who, bool(fouls))
+        state = self.counted(state, player, bool(fouls))
         if fouls:
             return self._foul(state, layout, report, fouls)
         if report.called():
@@ -64,56 +64,56 @@ class Straight(PoolRules[StraightState]):
         # 7.5, 7.7: after a safety or a miss what fell is spotted.
         layout, spotted = spot_balls(self.table, layout, report.potted)
         lost = () if report.call.safety else tuple(Note("not-called", ball=ball) for ball in report.potted)
-        return self.ruled(self.next(state, layout, self.other(who)), layout, *lost, spotted=spotted)
+        return self.ruled(self.next(state, layout, self.other(player)), layout, *lost, spotted=spotted)
 
     def picked(self, state: StraightState, layout: Layout, key: str) -> Ruling:
         if key == "opponent-breaks":
-            return self.broken_by(self.other(state.ask.who), state)
+            return self.broken_by(self.other(state.ask.player), state)
         return super().picked(state, layout, key)
 
-    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+    def pots(self, player: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
         """7.4: with the ball called all count that fall with it."""
-        return report.potted if ruling.points[who] > 0 else ()
+        return report.potted if ruling.points[player] > 0 else ()
 
     def _scored(self, state: StraightState, layout: Layout, report: Report) -> Ruling:
         """7.4: the shooter goes on, at the target has won, and with one ball left has the others racked."""
-        who = state.ask.who
-        change = points(who, len(report.potted))
+        player = state.ask.player
+        change = points(player, len(report.potted))
         state = added(state, change)
-        if state.scores[who] >= self.options.target:
-            return self.ruled(self.ended(state, who), layout, *told(change), points=change)
-        where, notes = "", told(change)
+        if state.scores[player] >= self.options.target:
+            return self.ruled(self.ended(state, player), layout, *score_notes(change), points=change)
+        where, notes = "", score_notes(change)
         if len(self.on_table(layout)) <= 1:
             layout, where = rerack(self.table, layout, self.racks[0], state.seed + 1000 * state.racks)
             state, notes = replace(state, racks=state.racks + 1), (*notes, Note("re-racked"))
-        return self.ruled(self.next(state, layout, who, where), layout, *notes, points=change)
+        return self.ruled(self.next(state, layout, player, where), layout, *notes, points=change)
 
     def _foul(self, state: StraightState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
         """7.9: a point off; all that fell is spotted; in hand only after a scratch or a cue ball that stayed (3.11)."""
-        who = state.ask.who
-        if self.options.three_foul == "yes" and state.fouls[who] >= 3:
+        player = state.ask.player
+        if self.options.three_foul == "yes" and state.fouls[player] >= 3:
             # 7.11: the offender breaks a new rack, his count at nought.
-            change = points(who, FOUL + THIRD)
-            state = self.counted(added(state, change), who, False)
-            ruling = self.broken_by(who, state)
-            notes = (*fouls, Note("foul.three", who), *told(change), *ruling.notes)
+            change = points(player, FOUL + THIRD)
+            state = self.counted(added(state, change), player, False)
+            ruling = self.broken_by(player, state)
+            notes = (*fouls, Note("foul.three", player), *score_notes(change), *ruling.notes)
             return ruling._replace(notes=notes, fouls=fouls, points=change)
-        change = points(who, FOUL)
+        change = points(player, FOUL)
         layout, spotted = spot_balls(self.table, layout, (*report.potted, *report.off))
         in_hand = gone(layout, report.cue) or any(foul.key == "foul.stayed" for foul in fouls)
-        state = self.next(added(state, change), layout, self.other(who), KITCHEN if in_hand else "")
-        notes = (*self.second(state, who), *told(change))
+        state = self.next(added(state, change), layout, self.other(player), KITCHEN if in_hand else "")
+        notes = (*self.second(state, player), *score_notes(change))
         return self.ruled(state, layout, *notes, fouls=fouls, spotted=spotted, points=change)
 
     def _breaking_foul(self, state: StraightState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
         """7.10: two points off, no other foul counts; the opponent accepts or has the offender break again."""
-        who = state.ask.who
-        change = points(who, BREAKING)
+        player = state.ask.player
+        change = points(player, BREAKING)
         layout, spotted = spot_balls(self.table, layout, (*report.potted, *report.off))
         accept = "kitchen" if gone(layout, report.cue) else "accept"
-        state = self.to_choose(added(state, change), self.other(who), accept, "opponent-breaks")
+        state = self.to_choose(added(state, change), self.other(player), accept, "opponent-breaks")
         every = (Note("foul.break"), *fouls)
-        return self.ruled(state, layout, *told(change), fouls=every, spotted=spotted, points=change)
+        return self.ruled(state, layout, *score_notes(change), fouls=every, spotted=spotted, points=change)
 
 
 def _opened(report: Report) -> bool:

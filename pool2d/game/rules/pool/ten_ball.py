@@ -33,11 +33,11 @@ class TenBall(Rotation):
         return self.last in state.ask.on or self.options.early_ten == "wins"
 
     def after(self, state: State, layout: Layout, report: Report, breaks: bool) -> State:
-        who, opponent = state.ask.who, self.other(state.ask.who)
+        player, opponent = state.ask.player, self.other(state.ask.player)
         if breaks:
-            return self.goes_on(state, layout, who if report.potted else opponent, breaks)
+            return self.goes_on(state, layout, player if report.potted else opponent, breaks)
         if report.called():
-            return self.goes_on(state, layout, who, breaks)
+            return self.goes_on(state, layout, player, breaks)
         if report.potted:
             # 6.6: balls wrongfully pocketed stay down, and the opponent says who goes on.
             return self.to_choose(state, opponent, "play", "pass")

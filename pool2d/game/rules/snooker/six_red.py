@@ -16,7 +16,7 @@ from ..report import Report
 from ..sight import snookering
 from ..spotting import ANYWHERE
 from .snooker import Snooker, SnookerState
-from .snooker_fouls import COLOR, ORDER, RED, Aim, Foul, balls_on, scored
+from .snooker_fouls import COLOR, ORDER, RED, Foul, Target, balls_on, scored
 
 # How many misses in a row are called.
 MISSES = 5
@@ -55,15 +55,15 @@ class SixRed(Snooker):
         if key == "put-back":
             ruling = super().picked(state, layout, key)
             warned = state.called == MISSES - 1
-            notes = (Note("last-miss", ruling.ask.who), *ruling.notes) if warned else ruling.notes
+            notes = (Note("last-miss", ruling.ask.player), *ruling.notes) if warned else ruling.notes
             return ruling._replace(notes=notes)
         state = replace(state, called=0)
         if key == "anywhere":
             state = replace(state, misses=0, before=())
-            return self.ruled(self.aiming(state, layout, state.ask.who, ANYWHERE), layout)
+            return self.ruled(self.aiming(state, layout, state.ask.player, ANYWHERE), layout)
         return super().picked(state, layout, key)
 
-    def found(self, state: SnookerState, layout: Layout, report: Report, aim: Aim) -> tuple[Foul, ...]:
+    def found(self, state: SnookerState, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
         """3: the colour that was nominated after a red, and not potted, may not hide the balls that are on next."""
         fouls = super().found(state, layout, report, aim)
         if fouls or state.phase != COLOR or scored(report, aim) or set(report.touching) & set(aim.on):

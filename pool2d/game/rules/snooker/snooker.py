@@ -12,7 +12,7 @@ from ....physics.values import POCKETED, Layout
 from ....table.outline import Point
 from ..base import Options, Rules, Ruling, State
 from ..notes import Note
-from ..pool.pool import added, points, told
+from ..pool.pool import added, points, score_notes
 from ..report import Report
 from ..sight import sees, sees_full, snookered
 from ..spotting import D, put
@@ -22,8 +22,8 @@ from .snooker_fouls import (
     LEAST,
     ORDER,
     RED,
-    Aim,
     Foul,
+    Target,
     aimed,
     balls_on,
     fouls,
@@ -84,18 +84,18 @@ class Snooker(Rules[SnookerState]):
         return self.ruled(self.aiming(state, layout, breaker, D), layout)
 
     def aiming(
-        self, state: SnookerState, layout: Layout, who: int, where: str = "", free: bool = False
+        self, state: SnookerState, layout: Layout, player: int, where: str = "", free: bool = False
     ) -> SnookerState:
         """The state in which a player is to strike: with a colour or a free ball to nominate, or without."""
         on = balls_on(state.phase, layout)
         balls = self.on_table(layout)
         left = points_left(state.phase, layout, free)
         state = replace(state, free=free, left=left, snookers=needed(state.scores, left, state.phase, on))
-        claims = balls == ("black",) and state.scores[who] - state.scores[self.other(who)] > value("black")
+        claims = balls == ("black",) and state.scores[player] - state.scores[self.other(player)] > value("black")
         call = "ball" if free or state.phase == COLOR else ""
         # 2.1 (b): with only the black left, who leads by more than seven may claim the frame.
         return self.to_play(
-            state, layout, who, where, on=balls if free else on, call=call, options=("claim",) if claims else ()
+            state, layout, player, where, on=balls if free else on, call=call, options=("claim",) if claims else ()
         )
 
     def judge(self, state: SnookerState, layout: Layout, report: Report) -> Ruling:
@@ -108,23 +108,23 @@ class Snooker(Rules[SnookerState]):
         layout, spotted = spot_colors(self.table, layout, gone)
         if found:
             return self._foul(state, layout, report, aim, found, spotted, last)
-        who, won = state.ask.who, scored(report, aim)
-        change = points(who, won)
+        shooter, won = state.ask.player, scored(report, aim)
+        change = points(shooter, won)
         state = added(state, change)
         state = replace(state, run=state.run + won if won else 0, misses=0, before=())
         if won and last:
-            return self._end(state, layout, change, told(change))
+            return self._end(state, layout, change, score_notes(change))
         state = replace(state, phase=COLOR if won and state.phase == RED else _phase(layout))
-        player = who if won else self.other(who)
+        player = shooter if won else self.other(shooter)
         state = self.aiming(state, layout, player)
-        return self.ruled(state, layout, *told(change), spotted=spotted, points=change)
+        return self.ruled(state, layout, *score_notes(change), spotted=spotted, points=change)
 
     def picked(self, state: SnookerState, layout: Layout, key: str) -> Ruling:
-        who = state.ask.who
+        chooser = state.ask.player
         if key == "claim":
-            return self.ruled(self.ended(state, who), layout, Note("claims", who))
+            return self.ruled(self.ended(state, chooser), layout, Note("claims", chooser))
         if state.tied:
-            player = who if key == "play" else self.other(who)
+            player = chooser if key == "play" else self.other(chooser)
             return self.ruled(self.aiming(state, layout, player, D), layout)
         if key == "put-back":
             return self._put_back(state, layout)
@@ -132,21 +132,21 @@ class Snooker(Rules[SnookerState]):
         state = replace(state, misses=0, before=())
         if key == "play-again":
             # 3.11 (h), 3.12 (f): the offender plays, and there is no free ball.
-            return self.ruled(self.aiming(state, layout, self.other(who), where), layout)
-        return self.ruled(self.aiming(state, layout, who, where, self.free_ball(state, layout)), layout)
+            return self.ruled(self.aiming(state, layout, self.other(chooser), where), layout)
+        return self.ruled(self.aiming(state, layout, chooser, where, self.free_ball(state, layout)), layout)
 
-    def found(self, state: SnookerState, layout: Layout, report: Report, aim: Aim) -> tuple[Foul, ...]:
+    def found(self, state: SnookerState, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
         """Every foul of a stroke, the dearest first (3.10)."""
         return fouls(self.table, layout, report, aim)
 
-    def pots(self, who: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
+    def pots(self, player: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
         """Every ball that falls without a foul, for all that colours are spotted again."""
         return () if ruling.foul else report.potted
 
     def conceded(self, state: SnookerState, layout: Layout, player: int) -> Ruling:
         """2.1 (a): only the striker may concede; raises InputError for the other player."""
-        if player != state.ask.who:
-            raise InputError(self.name, "concede", player, f"allowed is {state.ask.who}, whose turn it is")
+        if player != state.ask.player:
+            raise InputError(self.name, "concede", player, f"allowed is {state.ask.player}, whose turn it is")
         return super().conceded(state, layout, player)
 
     def free_ball(self, state: SnookerState, layout: Layout) -> bool:
@@ -161,19 +161,19 @@ class Snooker(Rules[SnookerState]):
         state: SnookerState,
         layout: Layout,
         report: Report,
-        aim: Aim,
+        aim: Target,
         found: tuple[Foul, ...],
         spotted: tuple[tuple[str, Point], ...],
         last: bool,
     ) -> Ruling:
         """3.11: the opponent scores, and says who plays; 3.14: from where."""
-        who = state.ask.who
-        opponent = self.other(who)
+        player = state.ask.player
+        opponent = self.other(player)
         change = points(opponent, penalty(found))
         told_of = tuple(foul.note for foul in found)
         was, misses = state, state.misses
         state = replace(added(state, change), run=0, phase=_phase(layout), misses=0, before=())
-        notes = told(change)
+        notes = score_notes(change)
         if last:
             return self._end(state, layout, change, notes, told_of, spotted)
         if missed(found) and self._is_miss(was, state, layout, report):
@@ -219,7 +219,7 @@ class Snooker(Rules[SnookerState]):
         """3.14 (b): every ball goes back, and the same balls are on for the offender."""
         for ball, x, y in state.before:
             layout = put(layout, ball, (x, y))
-        offender = self.other(state.ask.who)
+        offender = self.other(state.ask.player)
         notes = (Note("warned", offender),) if state.misses == 2 else ()
         again = replace(state, phase=state.was, before=(), was="", freed=False)
         return self.ruled(self.aiming(again, layout, offender, free=state.freed), layout, *notes)

@@ -21,7 +21,7 @@ RED, COLOR, ORDER = "red", "color", "order"
 LEAST, MOST = 4, 7
 
 
-class Aim(NamedTuple):
+class Target(NamedTuple):
     """What the striker was on: the balls on, what they are worth, and the free ball nominated, if any.
 
     No ball is on where a colour had to be nominated and was not.
@@ -53,7 +53,7 @@ def balls_on(phase: str, layout: Layout) -> tuple[str, ...]:
     return colors if phase == COLOR else colors[:1]
 
 
-def aimed(phase: str, free: bool, report: Report) -> Aim:
+def aimed(phase: str, free: bool, report: Report) -> Target:
     """What the striker was on.
 
     Where nothing was said, the ball hit first is taken to be meant, as where it is plain to the referee, or where none
@@ -64,8 +64,8 @@ def aimed(phase: str, free: bool, report: Report) -> Aim:
     said = report.call.ball or next((ball for ball in meant if ball in choice), "")
     named = said if said in choice else ""
     if phase == COLOR:
-        return Aim((named,), value(named)) if named else Aim((), MOST)
-    return Aim(on, value(on[0]), named)
+        return Target((named,), value(named)) if named else Target((), MOST)
+    return Target(on, value(on[0]), named)
 
 
 def nominable(phase: str, free: bool, layout: Layout) -> tuple[str, ...]:
@@ -76,7 +76,7 @@ def nominable(phase: str, free: bool, layout: Layout) -> tuple[str, ...]:
     return tuple(ball for ball in (*balls_on(RED, layout), *balls_on(COLOR, layout)) if free and ball not in on)
 
 
-def fouls(table: Table, layout: Layout, report: Report, aim: Aim) -> tuple[Foul, ...]:
+def fouls(table: Table, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
     """Every foul of a stroke, the dearest first; `layout` is as the balls came to rest (3.10)."""
     found = [*_hit(report, aim), *_lost(report, aim), *_pushed(report, aim)]
     # 3.8 (c): to play away from the free ball, touching it, has no penalty, wherever the cue ball ends.
@@ -98,7 +98,7 @@ def missed(found: tuple[Foul, ...]) -> bool:
     return any(foul.note.key in ("foul.no-hit", "foul.wrong-ball") for foul in found)
 
 
-def scored(report: Report, aim: Aim) -> int:
+def scored(report: Report, aim: Target) -> int:
     """The points of a stroke without foul.
 
     3.3 (f): every red, and a free ball as a red. 3.3 (g): a colour. 3.12 (c)-(e): a free ball counts as the ball
@@ -111,7 +111,7 @@ def scored(report: Report, aim: Aim) -> int:
     return aim.worth if down or freed else 0
 
 
-def _hit(report: Report, aim: Aim) -> Iterator[Foul]:
+def _hit(report: Report, aim: Target) -> Iterator[Foul]:
     """What was hit first.
 
     3.8 (c): to play away from a touching ball that is on, or the free ball, is to have hit it. 3.12 (b): a free ball
@@ -130,7 +130,7 @@ def _hit(report: Report, aim: Aim) -> Iterator[Foul]:
         yield Foul(Note("foul.two-at-once"), max(aim.worth, *map(value, first - {aim.free})))
 
 
-def _lost(report: Report, aim: Aim) -> Iterator[Foul]:
+def _lost(report: Report, aim: Target) -> Iterator[Foul]:
     """3.10 (a): the cue ball falls. (b): a ball not on falls, or any ball is forced off the table."""
     if report.scratch:
         yield Foul(Note("foul.scratch"), aim.worth)
@@ -143,7 +143,7 @@ def _lost(report: Report, aim: Aim) -> Iterator[Foul]:
         yield Foul(Note("foul.off", ball=ball), max(aim.worth, value(ball)))
 
 
-def _pushed(report: Report, aim: Aim) -> Iterator[Foul]:
+def _pushed(report: Report, aim: Target) -> Iterator[Foul]:
     """3.10 (b): a push stroke, at a touching ball too (3.8 b). The tip still on the cue ball is one (2.19)."""
     pushed: Collection[str] = report.pressed
     if not pushed and any(fault in ("push", "double-hit") for fault in report.stroke):
@@ -152,7 +152,7 @@ def _pushed(report: Report, aim: Aim) -> Iterator[Foul]:
         yield Foul(Note("foul.push"), max(aim.worth, value(ball)))
 
 
-def _hidden(table: Table, layout: Layout, report: Report, aim: Aim) -> Iterator[Foul]:
+def _hidden(table: Table, layout: Layout, report: Report, aim: Target) -> Iterator[Foul]:
     """3.10 (a), 3.12 (b): the free ball snookers, unless only the pink and the black are left."""
     left = {ball.id for ball in layout.on_table()} - {report.cue}
     on = [ball for ball in aim.on if ball in left]
