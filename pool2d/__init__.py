@@ -5,10 +5,10 @@ The names are fetched when they are first asked for, so that the window can open
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ._version import __version__
+from .lazy import fetched
 
 if TYPE_CHECKING:
     from .errors import BudgetError, InputError
@@ -18,16 +18,19 @@ if TYPE_CHECKING:
     from .table.preset import load_table
     from .table.scenario import Scenario, load_scenario
     from .table.table import Table
-
-_HOMES = {
-    "errors": ("BudgetError", "InputError"),
-    "physics.rollout": ("Event", "Rollout"),
-    "physics.simulate": ("simulate",),
-    "physics.values": ("Ball", "Layout", "Shot"),
-    "table.preset": ("load_table",),
-    "table.scenario": ("Scenario", "load_scenario"),
-    "table.table": ("Table",),
-}
+else:
+    __getattr__, __dir__ = fetched(
+        __name__,
+        {
+            "errors": ("BudgetError", "InputError"),
+            "physics.rollout": ("Event", "Rollout"),
+            "physics.simulate": ("simulate",),
+            "physics.values": ("Ball", "Layout", "Shot"),
+            "table.preset": ("load_table",),
+            "table.scenario": ("Scenario", "load_scenario"),
+            "table.table": ("Table",),
+        },
+    )
 
 __all__ = [
     "Ball",
@@ -44,10 +47,3 @@ __all__ = [
     "load_table",
     "simulate",
 ]
-
-
-def __getattr__(name: str) -> Any:
-    for home, names in _HOMES.items():
-        if name in names:
-            return getattr(import_module("." + home, __name__), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

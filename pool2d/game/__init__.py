@@ -5,8 +5,9 @@ The names are fetched when they are first asked for, so that who needs one rule 
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from ..lazy import fetched
 
 if TYPE_CHECKING:
     from .actions import Concede, NextFrame, Stroke
@@ -16,16 +17,19 @@ if TYPE_CHECKING:
     from .rules.base import Ask, Choice, Rules, Ruling, State
     from .rules.report import Call, Contact, Report
     from .setup import Setup
-
-_HOMES = {
-    "actions": ("Concede", "NextFrame", "Stroke"),
-    "match": ("Match",),
-    "referee": ("observe",),
-    "rules": ("GAMES", "game", "games_for"),
-    "rules.base": ("Ask", "Choice", "Rules", "Ruling", "State"),
-    "rules.report": ("Call", "Contact", "Report"),
-    "setup": ("Setup",),
-}
+else:
+    __getattr__, __dir__ = fetched(
+        __name__,
+        {
+            "actions": ("Concede", "NextFrame", "Stroke"),
+            "match": ("Match",),
+            "referee": ("observe",),
+            "rules": ("GAMES", "game", "games_for"),
+            "rules.base": ("Ask", "Choice", "Rules", "Ruling", "State"),
+            "rules.report": ("Call", "Contact", "Report"),
+            "setup": ("Setup",),
+        },
+    )
 
 __all__ = [
     "GAMES",
@@ -46,10 +50,3 @@ __all__ = [
     "games_for",
     "observe",
 ]
-
-
-def __getattr__(name: str) -> Any:
-    for home, names in _HOMES.items():
-        if name in names:
-            return getattr(import_module("." + home, __name__), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

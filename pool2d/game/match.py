@@ -56,6 +56,16 @@ class Match:
     """A match on one table. `play` goes on, `undo` and `redo` go back and forth by an action.
 
     `now` is the present moment, `history` all that led to it.
+
+    Examples:
+        >>> from pool2d import Shot, load_table
+        >>> from pool2d.game import Match, Setup, Stroke
+        >>> match = Match(load_table("pool-9ft"), Setup("nine-ball", names=("Ann", "Bo"), race=3, breaker=0, seed=7))
+        >>> moment = match.play(Stroke(Shot(angle=0.2, speed=8.0)))
+        >>> moment.report.potted, moment.ruling.foul, match.names[match.state.turn]
+        ((), False, 'Bo')
+        >>> match.undo(), len(match.history)
+        (True, 1)
     """
 
     def __init__(self, table: Table, setup: Setup) -> None:
@@ -74,18 +84,22 @@ class Match:
 
     @property
     def now(self) -> Moment:
+        """The present moment."""
         return self._past[-1]
 
     @property
     def history(self) -> tuple[Moment, ...]:
+        """The moments so far, the first before anything was played, the last being now."""
         return tuple(self._past)
 
     @property
     def state(self) -> State:
+        """The state of the game now."""
         return self.now.state
 
     @property
     def layout(self) -> Layout:
+        """Where the balls are now."""
         return self.now.layout
 
     @property
@@ -105,6 +119,7 @@ class Match:
 
     @property
     def over(self) -> bool:
+        """Whether somebody has won the match."""
         return self.winner is not None
 
     def play(self, action: Action) -> Moment:

@@ -28,7 +28,18 @@ GRAZED = math.cos(math.radians(30.0))
 
 
 def observe(table: Table, rollout: Rollout, call: Call | None = None, cue: str = "") -> Report:
-    """The report of a whole shot; `cue` is the ball that was struck, the table's cue ball where not given."""
+    """The report of a whole shot; `cue` is the ball that was struck, the table's cue ball where not given.
+
+    Examples:
+        >>> from pool2d import Ball, Layout, Shot, load_table, simulate
+        >>> from pool2d.game import Call, observe
+        >>> table = load_table("pool-9ft")
+        >>> layout = Layout([Ball("cue", 1.27, 0.4), Ball("1", 1.27, 0.9)])
+        >>> roll = simulate(table, layout, Shot(angle=90.0, speed=1.5))
+        >>> report = observe(table, roll, Call("1", "top-side"))
+        >>> report.first, report.potted, report.scratch
+        (('1',), ('1',), True)
+    """
     return _Reader(table, rollout, cue or table.furniture.cue).report(call or Call())
 
 

@@ -44,10 +44,12 @@ class Event:
 
     @property
     def before(self) -> dict[str, Ball]:
+        """The balls' states just before it, by id."""
         return {motion.id: motion.at(self.t) for motion in self._old}
 
     @property
     def after(self) -> dict[str, Ball]:
+        """The balls' states just after it, by id."""
         return {motion.id: motion.at(self.t) for motion in self._new}
 
     def __repr__(self) -> str:
@@ -71,6 +73,16 @@ class Rollout:
 
     `events` in order of time; `duration` in s, when the last ball came to rest; `truncated` where the
     shot was cut short on request, `duration` then being the last event's time.
+
+    Examples:
+        >>> from pool2d import Ball, Layout, Shot, load_table, simulate
+        >>> roll = simulate(load_table("pool-9ft"), Layout([Ball("cue", 0.635, 0.635)]), Shot(speed=1.0))
+        >>> roll.at(0.0)["cue"].phase, roll.at(1.0)["cue"].phase, roll.layout()["cue"].phase
+        ('sliding', 'rolling', 'resting')
+        >>> [event.kind for event in roll.events]
+        ['cue_ball', 'sliding_rolling', 'ball_cushion', 'sliding_rolling', 'rolling_resting']
+        >>> len(roll.path("cue", step=0.5)) == int(roll.duration / 0.5) + 2
+        True
     """
 
     def __init__(self, start: Layout, tracks: dict[str, list[Motion]], events: list[Event], truncated: bool) -> None:

@@ -42,6 +42,15 @@ def simulate(
 
     `events` stops after that many events. Raises InputError where the shot's ball is not on the table
     or the shot is out of range, BudgetError where the shot takes more than `budget` events.
+
+    Examples:
+        >>> from pool2d import Ball, Layout, Shot, load_table, simulate
+        >>> layout = Layout([Ball("cue", 1.27, 0.4), Ball("1", 1.27, 0.9)])
+        >>> roll = simulate(load_table("pool-9ft"), layout, Shot(angle=90.0, speed=1.5))
+        >>> [(event.kind, *event.balls) for event in roll.events if event.where]
+        [('ball_pocket', '1'), ('ball_pocket', 'cue')]
+        >>> simulate(load_table("pool-9ft"), layout, Shot(angle=90.0, speed=1.5), events=2).truncated
+        True
     """
     layout = table.settle(layout)
     world = _World(table, layout)

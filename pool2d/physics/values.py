@@ -21,6 +21,12 @@ class Ball(NamedTuple):
 
     Place in m, velocity in m/s, spin in rad/s; `phase` is resting, spinning, rolling, sliding or
     pocketed. A radius or mass of None means the table's own.
+
+    Examples:
+        >>> from pool2d import Ball
+        >>> ball = Ball("8", 1.9, 0.635, vx=0.5)
+        >>> ball.vx, ball.still().vx
+        (0.5, 0.0)
     """
 
     id: str
@@ -49,7 +55,14 @@ STATE_FIELDS = (*MOTION_FIELDS, "phase")
 
 
 class Layout(Mapping[str, Ball]):
-    """Balls by id: an immutable value."""
+    """Balls by id: an immutable value.
+
+    Examples:
+        >>> from pool2d import Ball, Layout
+        >>> layout = Layout([Ball("cue", 0.635, 0.635), Ball("1", 1.9, 0.66)])
+        >>> layout["1"].y, list(layout.without("1")), len(layout.put(Ball("2", 1.0, 0.3)))
+        (0.66, ['cue'], 3)
+    """
 
     __slots__ = ("_balls",)
 
@@ -91,6 +104,15 @@ class Shot:
     `angle` is the cue's direction in degrees; `speed` the cue's at impact, m/s; `side` and `height`
     the tip's offset as fractions of the ball's radius, in the plane across the cue (side > 0 is
     right-hand english, height > 0 is follow); `elevation` the butt's angle above level, degrees.
+
+    Examples:
+        >>> from pool2d import Shot
+        >>> shot = Shot(angle=0.4, speed=3.0, side=0.2, height=-0.1)  # a draw shot with right-hand english
+        >>> shot.check()
+        >>> Shot(speed=99.0).check()
+        Traceback (most recent call last):
+            ...
+        pool2d.errors.InputError: shot: shot.speed = 99.0: allowed is a number from 0 to 50 m/s
     """
 
     angle: float = 0.0

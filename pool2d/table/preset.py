@@ -46,6 +46,14 @@ def load_table(name: str | Path, overrides: Mapping[str, Any] | None = None, con
 
     `conditions` are laid over the preset, and `overrides`, dotted knobs, on top. Raises InputError,
     naming the file and the key.
+
+    Examples:
+        >>> from pool2d import load_table
+        >>> table = load_table("pool-9ft", {"cloth.mu_roll": 0.008})
+        >>> table.title, table.knobs.cloth.mu_roll
+        ('Pool, 9 ft', 0.008)
+        >>> len(table.rack("eight-ball", seed=7))
+        16
     """
     try:
         preset = read_preset(str(name), conditions)

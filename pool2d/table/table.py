@@ -70,10 +70,12 @@ class Table:
 
     @property
     def physics(self) -> Physics:
+        """What the engine reads: the knobs."""
         return self.knobs
 
     @property
     def elements(self) -> tuple[Element, ...]:
+        """Noses, jaws and pockets, in the order that `near` counts them."""
         return self.geometry.elements
 
     def with_knobs(self, overrides: Mapping[str, Any]) -> Table:

@@ -22,3 +22,8 @@ def test_every_asset_is_listed() -> None:
         package = ".".join(("pool2d", *path.parent.relative_to(ROOT).parts))
         assert package in SETUPTOOLS["packages"]
         assert any(path.match(pattern) for pattern in data[package]), path
+
+
+def test_type_checkers_may_read_the_types() -> None:
+    assert (ROOT / "pool2d" / "py.typed").is_file()
+    assert "py.typed" in SETUPTOOLS["package-data"]["pool2d"]

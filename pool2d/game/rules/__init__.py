@@ -43,12 +43,21 @@ GAMES: dict[str, type[Rules[Any]]] = {
         Practice,
     )
 }
+"""The rules of every game, by its name."""
 
 
 def game(name: str, table: Table, options: Mapping[str, object] | None = None) -> Rules[Any]:
     """The rules of a game on a table.
 
     Raises InputError for an unknown game or option, and for a table that it cannot be played on.
+
+    Examples:
+        >>> from pool2d import load_table
+        >>> from pool2d.game import game
+        >>> rules = game("nine-ball", load_table("pool-9ft"))
+        >>> ruling = rules.start(breaker=0, seed=7)
+        >>> ruling.ask.kind, ruling.ask.where, ruling.ask.on
+        ('aim', 'kitchen', ('1',))
     """
     if name not in GAMES:
         raise InputError("game", "name", name, suggest(name, GAMES))
@@ -56,7 +65,14 @@ def game(name: str, table: Table, options: Mapping[str, object] | None = None) -
 
 
 def games_for(table: Table) -> list[str]:
-    """The names of the games that can be played on a table."""
+    """The names of the games that can be played on a table.
+
+    Examples:
+        >>> from pool2d import load_table
+        >>> from pool2d.game import games_for
+        >>> "snooker" in games_for(load_table("snooker-12ft")), "snooker" in games_for(load_table("pool-9ft"))
+        (True, False)
+    """
     return [name for name, rules in GAMES.items() if rules.fits(table)]
 
 

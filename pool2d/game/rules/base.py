@@ -78,6 +78,7 @@ class State:
 
     @property
     def over(self) -> bool:
+        """Whether the game has ended."""
         return self.ask.kind == OVER
 
     @property
@@ -108,10 +109,12 @@ class Ruling(NamedTuple):
 
     @property
     def ask(self) -> Ask:
+        """What is to happen next, and who is to do it."""
         return self.state.ask
 
     @property
     def foul(self) -> bool:
+        """Whether the stroke was a foul."""
         return bool(self.fouls)
 
 

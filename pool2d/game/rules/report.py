@@ -41,6 +41,7 @@ class Call:
     push: bool = False
 
     def as_dict(self) -> dict[str, Any]:
+        """The call in JSON's types."""
         return {"ball": self.ball, "pocket": self.pocket, "safety": self.safety, "push": self.push}
 
 
@@ -111,6 +112,7 @@ class Report:
 
     @property
     def cue_gone(self) -> bool:
+        """Whether the cue ball fell into a pocket or left the table."""
         return self.scratch or self.cue_off
 
     @property
