@@ -12,7 +12,9 @@ from typing import NamedTuple
 from pool2d import Ball, Layout, Table, simulate
 from pool2d.physics.body import Body
 from pool2d.physics.detect import SKIN
-from pool2d.physics.params import BallKnobs
+from pool2d.physics.laws.registry import BALL_LAWS, CUSHION_LAWS
+from pool2d.physics.materials import materials
+from pool2d.physics.params import BallKnobs, Physics
 from pool2d.physics.values import SLIDING
 
 from .scenes import open_table
@@ -74,3 +76,13 @@ def touching(cut: float, v: float, wz: float) -> tuple[Body, Body]:
     turn, radius, mass = math.radians(cut), BallKnobs().radius, BallKnobs().mass
     cue = Body(Ball("cue", 0.0, 0.0, v, wz=wz), 0, radius, mass)
     return cue, Body(Ball("1", 2.0 * radius * math.cos(turn), 2.0 * radius * math.sin(turn)), 1, radius, mass)
+
+
+def collide_balls(law: str, a: Body, b: Body, physics: Physics) -> None:
+    """Let a law alone act on two balls that touch."""
+    BALL_LAWS[law].collide(a, b, materials(physics).ball)
+
+
+def collide_cushion(law: str, ball: Body, nx: float, ny: float, physics: Physics) -> None:
+    """Let a law alone act on a ball that touches a cushion in the direction (nx, ny)."""
+    CUSHION_LAWS[law].collide(ball, nx, ny, materials(physics).cushion)

@@ -21,7 +21,7 @@ from .body import Body
 from .detect import NOISE, Element
 from .energy import take_back
 from .laws.rebound import rebound
-from .params import Physics
+from .materials import Materials
 from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, pace
 
 # An impact of balls is over long before this many times the duration of one; a guard, not a limit that is met.
@@ -75,16 +75,16 @@ def facing(ball: Body, elements: Sequence[Element], reach: float, room: float) -
     return found
 
 
-def solve(group: Group, speed: float, physics: Physics) -> tuple[list[BallSpring], list[NoseSpring]]:
+def solve(group: Group, speed: float, table: Materials) -> tuple[list[BallSpring], list[NoseSpring]]:
     """Let the impact of a group run its course; the contacts that took part, the balls changed.
 
     `speed` is that of the approach that set it off, m/s.
     """
     # As two balls alone part at that speed; in thousandths, of which none has to be worked out twice.
-    loss = damping(round(rebound(speed, physics.ball.restitution) / speed, 3))
-    pairs = [BallSpring(a, b, gap, speed, loss, physics) for a, b, gap in group.pairs]
+    loss = damping(round(rebound(speed, table.ball.restitution) / speed, 3))
+    pairs = [BallSpring(a, b, gap, speed, loss, table) for a, b, gap in group.pairs]
     noses = [
-        NoseSpring(ball, element, gap, [other for other, _, _ in group.noses].count(ball), physics)
+        NoseSpring(ball, element, gap, [other for other, _, _ in group.noses].count(ball), table)
         for ball, element, gap in group.noses
     ]
     springs: list[Spring] = [*pairs, *noses]

@@ -9,8 +9,7 @@ from typing import NamedTuple, Protocol
 from .body import Body
 from .cluster import Group, facing, linked, solve
 from .detect import NOISE, Element
-from .laws.ball import BALL_LAWS
-from .laws.cushion import CUSHION_LAWS
+from .materials import materials
 from .motion import Motion
 from .params import Physics
 from .pressing import Side, press
@@ -52,8 +51,7 @@ class Contacts:
         self.table = table
         self.physics = table.physics
         self.reach = reach
-        self.ball_law = BALL_LAWS[self.physics.ball.law]
-        self.cushion_law = CUSHION_LAWS[self.physics.cushion.law]
+        self.materials = materials(self.physics)
 
     def cushion(self, ball: Body, element: Element, present: list[Body], now: float) -> Met:
         """A ball meets a cushion among the balls `present`."""
@@ -67,7 +65,7 @@ class Contacts:
             if met is not None:
                 rails = sorted(met.rails, key=lambda rail: rail != (ball, element.name))
                 return Met(met.pairs, tuple(rails), pressed)
-            self.cushion_law(ball, nx, ny, self.physics)
+            self.materials.cushion_law.collide(ball, nx, ny, self.materials.cushion)
         return Met((), ((ball, element.name),), pressed)
 
     def balls(self, a: Body, b: Body, present: list[Body], now: float) -> Met:
@@ -81,7 +79,7 @@ class Contacts:
             if met is not None:
                 pairs = sorted(met.pairs, key=lambda pair: pair != (a, b))
                 return Met(tuple(pairs), met.rails, pressed)
-            self.ball_law(a, b, self.physics)
+            self.materials.ball_law.collide(a, b, self.materials.ball)
         return Met(((a, b),), (), pressed)
 
     def _group(self, first: list[Body], present: list[Body], room: float, yielding: float) -> Group:
@@ -108,7 +106,7 @@ class Contacts:
         if len(group.pairs) + len(group.noses) < 2:
             return None
         before = [(ball, ball.velocity()) for ball in present]
-        pairs, noses = solve(group, speed, self.physics)
+        pairs, noses = solve(group, speed, self.materials)
         if len(pairs) + len(noses) < 2:
             for ball, velocity in before:
                 ball.set_velocity(velocity)

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from ..config.knobs import choice, knob
-from .laws.ball import BALL_LAWS
-from .laws.cushion import CUSHION_LAWS
+from .laws.registry import BALL_LAWS, CUSHION_LAWS
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,14 +13,14 @@ from functools import cache
 from typing import TYPE_CHECKING, Protocol
 
 from .detect import TOUCH
-from .laws.ball import FRICTION, normal, push, slip
-from .laws.cushion import NOSES, along_nose, rate
+from .laws.nose import along_nose, rate
+from .laws.pair import normal, push, slip
 from .laws.rebound import rebound
 
 if TYPE_CHECKING:
     from .body import Body
     from .detect import Element
-    from .params import Physics
+    from .materials import Materials
 
 # Stiffness of two pool balls, N/m^1.5, and the radius it was worked out for (Marlow; Alciatore TP B.29).
 STIFFNESS, RADIUS = 8.06e8, 0.028575
@@ -66,9 +66,9 @@ class BallSpring:
     `slip` is the fastest so far: it sets the friction of the whole impact, as it does for two balls alone.
     """
 
-    __slots__ = ("a", "b", "n", "depth", "step", "met", "slip", "stiffness", "loss", "physics", "friction", "impulse")
+    __slots__ = ("a", "b", "n", "depth", "step", "met", "slip", "stiffness", "loss", "friction", "numbers", "impulse")
 
-    def __init__(self, a: Body, b: Body, gap: float, speed: float, loss: float, physics: Physics) -> None:
+    def __init__(self, a: Body, b: Body, gap: float, speed: float, loss: float, table: Materials) -> None:
         self.a = a
         self.b = b
         self.n = normal(a, b)
@@ -79,8 +79,8 @@ class BallSpring:
         # Springs of Hertz: K goes with the root of the effective radius.
         self.stiffness = stiffness(a, b)
         self.loss = loss * math.sqrt(self.stiffness * a.mass * b.mass / (a.mass + b.mass))
-        self.physics = physics
-        self.friction = FRICTION[physics.ball.law]
+        self.friction = table.ball_law.friction
+        self.numbers = table.ball
         self.impulse: tuple[float, float, float, float] | None = None
 
     @property
@@ -129,7 +129,7 @@ class BallSpring:
         if size == 0.0:
             return 0.0, 0.0, 0.0
         self.slip = max(self.slip, size)
-        limit = self.friction(self.slip, self.physics) * along
+        limit = self.friction(self.slip, self.numbers) * along
         rub = -min(limit / size, 1.0 / (3.5 * (1.0 / a.mass + 1.0 / b.mass)))
         return rub * sx, rub * sy, rub * sz
 
@@ -145,7 +145,7 @@ class NoseSpring:
     __slots__ = ("ball", "nx", "ny", "name", "depth", "step", "met", "share", "nose",
                  "stiffness", "deepest", "power", "change")  # fmt: skip
 
-    def __init__(self, ball: Body, element: Element, gap: float, share: int, physics: Physics) -> None:
+    def __init__(self, ball: Body, element: Element, gap: float, share: int, table: Materials) -> None:
         self.ball = ball
         self.nx, self.ny = element.normal(ball.x, ball.y)
         self.name = element.name
@@ -153,7 +153,7 @@ class NoseSpring:
         self.step = stay(ball) / STEPS
         self.met = False
         self.share = share
-        self.nose = NOSES[physics.cushion.law](ball.radius, physics)
+        self.nose = table.cushion_law.nose(ball.radius, table.cushion)
         self.stiffness = RUBBER / ball.mass
         self.deepest = 0.0
         self.power = 0.0

@@ -12,10 +12,12 @@ import pytest
 from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.physics.body import Body
 from pool2d.physics.cluster import Group, solve
-from pool2d.physics.laws.ball import BALL_LAWS
+from pool2d.physics.laws.registry import BALL_LAWS
+from pool2d.physics.materials import materials
 from pool2d.physics.params import BallKnobs, Physics
 
 from ..checks import assert_sound, energy
+from ..hits import collide_balls
 from ..scenes import open_table
 
 TABLE = load_table("pool-9ft")
@@ -155,8 +157,8 @@ def test_pair_alone_leaves_the_springs_as_it_leaves_the_law(
         return Body(cue, 0, RADIUS, 0.17), Body(other, 1, RADIUS, 0.17)
 
     (a, b), (c, d) = pair(), pair()
-    BALL_LAWS[law](a, b, physics)
-    solve(Group([(c, d, 0.0)], []), 2.0 * nx, physics)
+    collide_balls(law, a, b, physics)
+    solve(Group([(c, d, 0.0)], []), 2.0 * nx, materials(physics))
     assert (d.vx - c.vx) * nx + (d.vy - c.vy) * ny == pytest.approx(restitution * 2.0 * nx, rel=1e-6)
     # The slate holds the balls down, so that slip up and down ends later than the laws reckon, by 5/2
     # against 7/2 of the friction. The springs go through that; without such slip they agree.

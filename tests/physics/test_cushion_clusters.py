@@ -13,10 +13,12 @@ from pool2d.physics import springs
 from pool2d.physics.body import Body
 from pool2d.physics.cluster import Group, solve
 from pool2d.physics.detect import Rail
-from pool2d.physics.laws.cushion import CUSHION_LAWS, mathavan2010
+from pool2d.physics.laws.registry import CUSHION_LAWS
+from pool2d.physics.materials import materials
 from pool2d.physics.params import CushionKnobs, Physics
 
 from ..checks import assert_sound
+from ..hits import collide_cushion
 
 TABLE = load_table("pool-9ft")
 RADIUS = TABLE.knobs.ball.radius
@@ -149,8 +151,8 @@ def test_a_ball_alone_leaves_the_spring_as_it_leaves_the_law() -> None:
         vx, vy = math.cos(turn), math.sin(turn)
         ball = Ball("1", 0.0, -LOW, vx, vy, -topspin * vy / RADIUS, topspin * vx / RADIUS, english / RADIUS)
         one, two = Body(ball, 0, RADIUS, 0.17), Body(ball, 0, RADIUS, 0.17)
-        mathavan2010(one, 0.0, 1.0, physics)
-        solve(Group([], [(two, rail, 0.0)]), vy, physics)
+        collide_cushion("mathavan2010", one, 0.0, 1.0, physics)
+        solve(Group([], [(two, rail, 0.0)]), vy, materials(physics))
         # A dead cushion stops the ball within a step of the spring, not to the last digit.
         assert (two.vx, two.vy) == pytest.approx((one.vx, one.vy), abs=3e-3 if e > 0.0 else 5e-2)
         for name in ("wx", "wy", "wz"):

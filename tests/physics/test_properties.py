@@ -10,8 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from pool2d import Ball, Layout, Rollout, Shot, Table, load_table, simulate
-from pool2d.physics.laws.ball import BALL_LAWS
-from pool2d.physics.laws.cushion import CUSHION_LAWS
+from pool2d.physics.laws.registry import BALL_LAWS, CUSHION_LAWS
 
 from ..checks import assert_sound
 from ..plays import plays

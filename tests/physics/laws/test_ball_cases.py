@@ -9,12 +9,13 @@ import pytest
 
 from pool2d import Ball, Layout, Table, load_table, simulate
 from pool2d.physics.body import Body
-from pool2d.physics.laws.ball import BALL_LAWS, normal
+from pool2d.physics.laws.pair import normal
+from pool2d.physics.laws.registry import BALL_LAWS
 from pool2d.physics.params import Physics
 from pool2d.physics.springs import depth, duration, stiffness
 
 from ...casebook import CONTACTS, Case, near
-from ...hits import greatest, hit, smooth, speed, touching, way
+from ...hits import collide_balls, greatest, hit, smooth, speed, touching, way
 from ...scenes import open_table
 
 cases = CONTACTS.run
@@ -130,7 +131,7 @@ def test_what_two_balls_keep(case: Case) -> None:
         for ball in (cue, other):
             ball.set_velocity((*(rng.uniform(-8.0, 8.0) for _ in range(2)), *(rng.gauss(0.0, 100.0) for _ in range(3))))  # type: ignore[arg-type]
         before, old = invariants(cue, other), cue.energy() + other.energy()
-        BALL_LAWS[laws[number % len(laws)]](cue, other, Physics())
+        collide_balls(laws[number % len(laws)], cue, other, Physics())
         after = invariants(cue, other)
         momentum = max(momentum, *(abs(a - b) for a, b in zip(before, after, strict=True)))
         gain = max(gain, cue.energy() + other.energy() - old)

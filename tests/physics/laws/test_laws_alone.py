@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from pool2d import Ball, Layout, load_table, simulate
+from pool2d.physics.laws import law
+from pool2d.physics.laws.law import BallLaw, CushionLaw
+from pool2d.physics.laws.registry import BALL_LAWS, CUSHION_LAWS
 from pool2d.physics.params import BallKnobs, Cloth
 
 from ...hits import hit
@@ -91,3 +95,16 @@ def test_mathavan_2014_does_what_the_paper_says(cut: float, topspin: float, engl
     for i, ball in enumerate((found.cue, found.other)):
         assert (ball.vx, ball.vy, 0.0) == pytest.approx(v[i].tolist(), abs=2e-3)
         assert (RADIUS * ball.wx, RADIUS * ball.wy, RADIUS * ball.wz) == pytest.approx(q[i].tolist(), abs=8e-3)
+
+
+def test_a_law_that_lacks_a_part_fails_where_it_is_made() -> None:
+    whole = BALL_LAWS["impulse"]
+    with pytest.raises(ValueError, match="the law 'mine' has no friction"):
+        BallLaw("mine", whole.collide, None)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="the law '' has no name"):
+        CushionLaw("", CUSHION_LAWS["impulse"].collide, CUSHION_LAWS["impulse"].nose)
+
+
+def test_every_law_is_found_by_its_file() -> None:
+    files = {path.stem for path in Path(law.__file__).parent.glob("*_*.py") if not path.stem.startswith("_")}
+    assert files == {f"ball_{name}" for name in BALL_LAWS} | {f"cushion_{name}" for name in CUSHION_LAWS}

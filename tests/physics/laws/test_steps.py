@@ -10,8 +10,10 @@ import pytest
 
 from pool2d import Ball
 from pool2d.physics.body import Body
-from pool2d.physics.laws import cushion
+from pool2d.physics.laws import cushion_mathavan2010
 from pool2d.physics.params import BallKnobs, Cloth, CushionKnobs, Physics
+
+from ...hits import collide_cushion
 
 State = tuple[float, float, float, float, float]
 RADIUS = BallKnobs().radius
@@ -35,7 +37,7 @@ def rebounds(physics: Physics) -> list[State]:
     found = []
     for motion in impacts():
         ball = Body(Ball("1", 0.0, 0.0, *motion), 0, RADIUS, BallKnobs().mass)
-        cushion.mathavan2010(ball, 0.0, 1.0, physics)
+        collide_cushion("mathavan2010", ball, 0.0, 1.0, physics)
         found.append((ball.vx, ball.vy, RADIUS * ball.wx, RADIUS * ball.wy, RADIUS * ball.wz))
     return found
 
@@ -47,7 +49,7 @@ def test_steps_are_as_exact_as_they_are_said_to_be(
     monkeypatch: pytest.MonkeyPatch, physics: Physics, speed: float, spin: float
 ) -> None:
     found = rebounds(physics)
-    monkeypatch.setattr(cushion, "STEPS", 2000)
+    monkeypatch.setattr(cushion_mathavan2010, "STEPS", 2000)
     errors = [[abs(a - b) for a, b in zip(*pair, strict=True)] for pair in zip(found, rebounds(physics), strict=True)]
     speeds = [max(error[:2]) for error in errors]
     assert 0.9 * speed < max(speeds) < speed
@@ -60,5 +62,5 @@ def test_what_is_a_little_off_square_stays_so(topspin: float) -> None:
     """A slip that ends and turns must not lift what is rounding into something to be seen."""
     for aside in (1e-15, 1e-9, 1e-5):
         ball = Body(Ball("1", 0.0, 0.0, aside, 1.0, -topspin / RADIUS), 0, RADIUS, BallKnobs().mass)
-        cushion.mathavan2010(ball, 0.0, 1.0, POOL)
+        collide_cushion("mathavan2010", ball, 0.0, 1.0, POOL)
         assert 0.0 < ball.vx < aside

@@ -7,11 +7,13 @@ import math
 import pytest
 
 from pool2d import Table
-from pool2d.physics.laws.ball import BALL_LAWS, falling
+from pool2d.physics.laws.ball_alciatore import falling
+from pool2d.physics.laws.registry import BALL_LAWS
+from pool2d.physics.materials import materials
 from pool2d.physics.params import BallKnobs, Physics
 
 from ...casebook import CONTACTS, Case, near
-from ...hits import greatest, hit, touching, way
+from ...hits import collide_balls, greatest, hit, touching, way
 from ...scenes import open_table
 
 cases = CONTACTS.run
@@ -48,7 +50,7 @@ def test_gearing_english_throws_nothing(case: Case) -> None:
             ratio = math.sin(math.radians(cut))
             cue, other = touching(cut, 1.5, ratio * 1.5 / BallKnobs().radius)
             spin = cue.wz
-            BALL_LAWS[law](cue, other, Physics())
+            collide_balls(law, cue, other, Physics())
             assert math.degrees(math.atan2(other.vy, other.vx)) - cut == near(case, expected["throw_deg"])
             assert (cue.wz, other.wz) == pytest.approx((spin, 0.0), abs=1e-9)
             # Given to six and four digits; the greatest english is R wz / v = 1.25.
@@ -59,7 +61,7 @@ def test_gearing_english_throws_nothing(case: Case) -> None:
 @cases("B17")
 def test_friction_falls_with_slip(case: Case) -> None:
     for key, value in case["expected"].items():
-        assert falling(float(key[3:-1]), Physics()) == near(case, value)
+        assert falling(float(key[3:-1]), materials(Physics()).ball) == near(case, value)
 
 
 @cases("B24")
