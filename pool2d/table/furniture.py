@@ -74,12 +74,11 @@ class Furniture:
         return [ball for group in self.groups.values() for ball in group]
 
 
-def arrange(furniture: Furniture, name: str, radius: float, rng: random.Random) -> Layout:
-    """The balls of the rack `name`, and the cue ball.
+def arrange(furniture: Furniture, rack: Rack, radius: float, rng: random.Random) -> Layout:
+    """The balls of a rack, and the cue ball.
 
     Open slots are drawn; the rack is mirrored or not; each ball lies somewhere within its gap.
     """
-    rack = furniture.racks[name]
     filled = _fill(rack, furniture, rng)
     if rng.random() < 0.5:
         filled = [row[::-1] for row in filled]

@@ -65,6 +65,11 @@ def read_furniture(data: Mapping[str, Any], length: float, width: float, source:
     )
 
 
+def read_rack(data: Mapping[str, Any], furniture: Furniture, source: str) -> Rack:
+    """A rack of a table's balls on its spots that is described as a preset's are; raises InputError."""
+    return _rack(data, furniture.groups, furniture.cue, furniture.spots, source, "rack")
+
+
 def _finish(data: Mapping[str, Any], source: str) -> Finish:
     given = _section(data, "finish", _FINISH, source)
     return Finish(**{name: _color(value, source, f"finish.{name}") for name, value in given.items()})

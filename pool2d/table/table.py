@@ -21,7 +21,7 @@ from ..physics.detect import Element, Jaw, Pocket, Rail, time_ball_ball
 from ..physics.motion import Motion
 from ..physics.params import Physics
 from ..physics.values import MOTION_FIELDS, POCKETED, RESTING, ROLLING, Ball, Layout, Shot
-from .furniture import Furniture, arrange
+from .furniture import Furniture, Rack, arrange
 from .geometry import build
 from .outline import inside, scaled
 from .placing import settle
@@ -95,15 +95,16 @@ class Table:
         """The broad phase's box round each element: left, bottom, right, top, m."""
         return [(box.left, box.bottom, box.right, box.top) for box in (shape.bb for shape in self._index)]
 
-    def rack(self, name: str, seed: int = 0) -> Layout:
+    def rack(self, name: str, seed: int = 0, other: Rack | None = None) -> Layout:
         """The balls of a rack and the cue ball; `seed` draws what the rules leave open.
 
-        Raises InputError for a rack the table does not have.
+        `other` is a rack that goes by that name and is not the table's own. Raises InputError for one that it lacks.
         """
-        if name not in self.furniture.racks:
+        rack = other or self.furniture.racks.get(name)
+        if rack is None:
             raise InputError(self.source, "racks", name, suggest(name, self.furniture.racks))
         rng = random.Random(f"{name} {seed}")
-        return self.settle(arrange(self.furniture, name, self.knobs.ball.radius, rng))
+        return self.settle(arrange(self.furniture, rack, self.knobs.ball.radius, rng))
 
     # What the engine asks.
 

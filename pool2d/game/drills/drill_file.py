@@ -4,7 +4,7 @@ A drill is a TOML file in `assets/drills` or the user's own `drills` folder:
 
     name = "Stop shot"
     text = "Pot the 1 and leave the cue ball where it was."
-    de.name = "Stoppball"           # both also in other languages, by their two letters
+    de.name = "Stoppball"           # the player's own have other languages here, by their two letters
     de.text = "Kugel 1 versenken; der Spielball bleibt liegen."
     position = "pool-9ft cue@1.0,0.635 1@1.4,0.635"
 

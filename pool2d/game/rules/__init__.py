@@ -1,47 +1,37 @@
-"""The rules of the games by name. `game("nine-ball", table)` gives them for a table."""
+"""The rules of the games by name. `game("nine-ball", table)` gives them for a table.
+
+A game is a module in one of the families beside this file. It is found there, and need be named nowhere else.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+from pkgutil import iter_modules
 from typing import Any
 
 from ...errors import InputError, suggest
 from ...table.table import Table
 from .base import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Options, Rules, Ruling, State
-from .carom.four_ball import FourBall
-from .carom.straight_rail import StraightRail
-from .carom.three_cushion import ThreeCushion
 from .notes import Note, label, say
-from .pool.blackball import Blackball
-from .pool.eight_ball import EightBall, EightBallState
-from .pool.english_eight_ball import EnglishEightBall
-from .pool.free_pyramid import FreePyramid
-from .pool.nine_ball import NineBall
-from .pool.one_pocket import OnePocket
-from .pool.straight import Straight
-from .pool.ten_ball import TenBall
 from .practice import Practice
-from .snooker.six_red import SixRed
-from .snooker.snooker import Snooker
+
+
+def _found() -> Iterator[type[Rules[Any]]]:
+    """Practice, and the games of every family: what a module defines as rules with a title."""
+    yield Practice
+    families = [f"{__name__}.{family.name}" for family in iter_modules(__path__) if family.ispkg]
+    for family in families:
+        for entry in iter_modules(import_module(family).__path__):
+            module = import_module(f"{family}.{entry.name}")
+            for kind in vars(module).values():
+                own = getattr(kind, "__module__", "") == module.__name__ and "title" in vars(kind)
+                if own and isinstance(kind, type) and issubclass(kind, Rules):
+                    yield kind
+
 
 GAMES: dict[str, type[Rules[Any]]] = {
-    rules.name: rules
-    for rules in (
-        EightBall,
-        NineBall,
-        TenBall,
-        Straight,
-        OnePocket,
-        EnglishEightBall,
-        Blackball,
-        Snooker,
-        SixRed,
-        ThreeCushion,
-        StraightRail,
-        FourBall,
-        FreePyramid,
-        Practice,
-    )
+    rules.name: rules for rules in sorted(_found(), key=lambda rules: (rules.rank, rules.title))
 }
 """The rules of every game, by its name."""
 
@@ -84,7 +74,6 @@ __all__ = [
     "PLACE",
     "Ask",
     "Choice",
-    "EightBallState",
     "Note",
     "Options",
     "Rules",

@@ -8,12 +8,15 @@ and a new layout.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import MISSING, asdict, dataclass, field, fields, replace
 from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
-from ...config.knobs import apply
+from ...config.knobs import apply, walk
 from ...errors import InputError, suggest
 from ...physics.values import POCKETED, Layout
+from ...table.furniture import Rack
+from ...table.furniture_file import read_rack
 from ...table.outline import Point
 from ...table.table import Table
 from .notes import Note
@@ -122,6 +125,13 @@ class Ruling(NamedTuple):
 class Options:
     """What may be set about a game, described by knobs; a game without options has none."""
 
+    @classmethod
+    def home(cls, option: str) -> str:
+        """Whose texts say what an option does: the name, with dashes, of the file that says so first in English."""
+        docs = {kind: knob.doc for kind in cls.__mro__[:-1] for name, knob, _ in walk(kind()) if name == option}
+        first = next(kind for kind in reversed(docs) if docs[kind] == docs[cls])
+        return first.__module__.rpartition(".")[2].replace("_", "-")
+
 
 S = TypeVar("S", bound=State)
 
@@ -129,16 +139,20 @@ S = TypeVar("S", bound=State)
 class Rules(Generic[S]):
     """The rules of one game on one table, with options.
 
-    A game fills in the class attributes and `start`, `judge` and `picked`. `racks` are the racks it can be played
-    from, the first that the table has being taken; `groups` the groups of balls that it needs; `scored` tells
-    whether points are counted, and `series` what those of one turn at the table are called: a run, or a break.
+    A game fills in the class attributes and `start`, `judge` and `picked`. `name` is its file's, with dashes; a low
+    `rank` puts it early in lists of games. `racks` are the racks it can be played from, the first that the table has
+    being taken; `rack` is one of its own, described as in a preset, for tables that have none of them; `groups` are the
+    groups of balls that it needs; `scored` tells whether points are counted, and `series` what those of one turn at the
+    table are called: a run, or a break.
     `lags_again`: a stalemate is lagged for. `cue_counts`: a ball that was struck and falls is a pot, and stays down.
     """
 
     name: ClassVar[str]
     title: ClassVar[str]
+    rank: ClassVar[int] = 100
     players: ClassVar[int] = 2
     racks: ClassVar[tuple[str, ...]] = ()
+    rack: ClassVar[Mapping[str, Any]] = {}
     groups: ClassVar[tuple[str, ...]] = ()
     scored: ClassVar[bool] = False
     series: ClassVar[str] = "run"
@@ -158,8 +172,16 @@ class Rules(Generic[S]):
     def fits(cls, table: Table) -> bool:
         """Whether a table has the rack, the balls and, where they are needed, the pockets for this game."""
         furniture = table.furniture
-        racked = not cls.racks or any(rack in furniture.racks for rack in cls.racks)
-        return racked and all(group in furniture.groups for group in cls.groups)
+        racked = any(rack in furniture.racks for rack in cls.racks) or cls._own_rack(table) is not None
+        anyhow = not cls.racks and not cls.rack
+        return (racked or anyhow) and all(group in furniture.groups for group in cls.groups)
+
+    @classmethod
+    def _own_rack(cls, table: Table) -> Rack | None:
+        """The rack that the game brings; None where it brings none, or the table lacks its balls or its spot."""
+        with suppress(InputError):
+            return read_rack(cls.rack, table.furniture, cls.name) if cls.rack else None
+        return None
 
     # What a match asks.
 
@@ -225,7 +247,9 @@ class Rules(Generic[S]):
     def racked(self, state: S) -> tuple[S, Layout]:
         """The balls of a new rack, the cue ball a little behind the head string, and the state that knows of it."""
         name = next((rack for rack in self.racks if rack in self.table.furniture.racks), "")
-        layout = self.table.rack(name or next(iter(self.table.furniture.racks)), state.seed + 1000 * state.racks)
+        own = None if name else self._own_rack(self.table)
+        name = name or (self.name if own else next(iter(self.table.furniture.racks)))
+        layout = self.table.rack(name, state.seed + 1000 * state.racks, own)
         line, cue = self.table.furniture.head_string, layout[self.table.furniture.cue]
         if line is not None and cue.x >= line:
             layout = put(layout, cue.id, (line - 2.0 * self.table.body_of(cue)[0], cue.y))

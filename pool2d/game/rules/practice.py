@@ -16,6 +16,7 @@ class Practice(Rules[State]):
 
     name = "practice"
     title = "Practice"
+    rank = 1000
     players = 1
 
     def start(self, breaker: int = 0, seed: int = 0) -> Ruling:

@@ -1,7 +1,7 @@
 """What the rules, the drills and the presets say, in the player's language.
 
-Their English is their own: a catalogue has `ruling.<key>`, `option.<game>.<option>_hint` and `table.<preset>` only in
-another language.
+Their English is their own: a catalogue has `game.<game>`, `ruling.<key>`, `option.<file>.<option>_hint`,
+`table.<preset>` and `drills.<drill>` only in another language.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from string import digits
 
 from ...game.drills.drill import Drill, Wording
 from ...game.match import Match, Moment
-from ...game.rules import Note
+from ...game.rules import GAMES, Note
 from ...game.rules import notes as rules
 from ...table.table import Table
 from .shot_text import ball_name, place_name
@@ -31,7 +31,7 @@ def option(key: str) -> str:
 
 def title(game: str) -> str:
     """The title of a game."""
-    return say(f"game.{game}")
+    return say_or(f"game.{game}", GAMES[game].title)
 
 
 def table_title(table: Table) -> str:
@@ -51,12 +51,13 @@ def setting(name: str) -> str:
 
 def setting_hint(game: str, name: str, doc: str) -> str:
     """What one of a game's options does; `doc` is what its knob says, in English."""
-    return say_or(f"option.{game}.{name}_hint", doc)
+    return say_or(f"option.{GAMES[game].options_type.home(name)}.{name}_hint", doc)
 
 
 def wording(drill: Drill) -> Wording:
     """A drill's name and text; in English, or what language it was written in, where it is not translated."""
-    return drill.wording_in(language())
+    own = drill.wording_in(language())
+    return Wording(say_or(f"drills.{drill.id}.name", own.name), say_or(f"drills.{drill.id}.text", own.text))
 
 
 def missed(key: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import ClassVar
 
 import pytest
 
@@ -11,10 +12,23 @@ from pool2d import InputError, load_table
 from pool2d.game import rules
 from pool2d.game.rules import GAMES, PLACE, Choice, game, games_for
 from pool2d.game.rules.notes import ENGLISH, Note, label, say
+from pool2d.game.rules.pool.nine_ball import NineBall
 
 from .notation import after, only, report
 
 TABLE = load_table("pool-9ft")
+
+
+def test_every_file_of_a_family_with_a_title_is_a_game() -> None:
+    families = Path(rules.__file__).parent
+    titled = [path for path in families.glob("*/*.py") if "\n    title = " in path.read_text(encoding="utf-8")]
+    assert {path.stem.replace("_", "-") for path in titled} | {"practice"} == set(GAMES)
+    assert [one.name for one in GAMES.values()] == list(GAMES)
+
+
+def test_games_are_listed_by_rank() -> None:
+    assert list(GAMES)[:3] == ["eight-ball", "nine-ball", "ten-ball"]
+    assert list(GAMES)[-1] == "practice"
 
 
 @pytest.mark.parametrize("name", GAMES)
@@ -45,6 +59,28 @@ def test_a_table_has_games_that_its_balls_allow() -> None:
     assert "eight-ball" not in games_for(load_table("english-7ft"))
     with pytest.raises(InputError, match=r"nine-ball.*this table has not the balls or the rack for it"):
         game("nine-ball", load_table("snooker-12ft"))
+
+
+class OwnRack(NineBall):
+    """Nine-ball with three balls, from a rack that no table has."""
+
+    name = "own-rack"
+    racks = ("three balls",)
+    rack: ClassVar = {"spot": "foot", "balls": ["1", "2", "9"], "rows": [["1"], ["any", "any"]]}
+
+
+def test_a_game_may_bring_a_rack_of_its_own() -> None:
+    layout = OwnRack(TABLE).start(seed=3).layout
+    assert set(layout) == {"cue", "1", "2", "9"}
+    assert (layout["1"].x, layout["1"].y) == pytest.approx(TABLE.furniture.spots["foot"])
+    assert {OwnRack(TABLE).start(seed=seed).layout["9"].y > layout["1"].y for seed in range(20)} == {True, False}
+    assert OwnRack(TABLE).start(seed=3).layout == layout
+
+
+def test_a_rack_of_its_own_needs_its_balls_and_its_spot() -> None:
+    assert not OwnRack.fits(load_table("snooker-12ft"))
+    with pytest.raises(InputError, match=r"own-rack.*this table has not the balls or the rack for it"):
+        OwnRack(load_table("carom-10ft"))
 
 
 def test_a_choice_that_is_not_asked_for_is_refused() -> None:

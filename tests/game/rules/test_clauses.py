@@ -1,25 +1,23 @@
-"""The clauses of nine-ball, ten-ball, straight pool and one-pocket: see `tables`."""
+"""The clauses of every game that is played on a pool table as it stands: a file in `tables` is found by its name."""
 
 from __future__ import annotations
 
-from .cases import Case, check, rows
+import pytest
+
+from pool2d.game.rules import GAMES
+
+from .cases import POOL, TABLES, Case, check, table
+
+GAMES_HERE = sorted(path.stem for path in TABLES.glob("*.txt") if GAMES[path.stem].fits(POOL))
 
 
-@rows("nine-ball")
-def test_nine_ball(case: Case) -> None:
-    check("nine-ball", case)
+@pytest.mark.parametrize(
+    ("game", "case"),
+    [pytest.param(game, case, id=f"{game} {case.clause} {case.what}") for game in GAMES_HERE for case in table(game)],
+)
+def test_clause(game: str, case: Case) -> None:
+    check(game, case)
 
 
-@rows("ten-ball")
-def test_ten_ball(case: Case) -> None:
-    check("ten-ball", case)
-
-
-@rows("straight")
-def test_straight(case: Case) -> None:
-    check("straight", case)
-
-
-@rows("one-pocket")
-def test_one_pocket(case: Case) -> None:
-    check("one-pocket", case)
+def test_every_game_has_its_clauses() -> None:
+    assert {path.stem for path in TABLES.glob("*.txt")} == set(GAMES) - {"practice"}

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from pool2d.game.rules import Choice, EightBallState
+from pool2d.game.rules import Choice
+from pool2d.game.rules.pool.eight_ball import EightBallState
 
-from .cases import POOL, Case, check, judged, line, rows, rules_of
+from .cases import POOL, Case, judged, line, rules_of
 
 RULES = rules_of("eight-ball")
-
-
-@rows("eight-ball")
-def test_clause(case: Case) -> None:
-    check("eight-ball", case)
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ import pytest
 from pool2d.config import catalogue
 from pool2d.config.assets import asset
 from pool2d.config.knobs import walk
+from pool2d.config.reader import read_toml
 from pool2d.config.settings import GUIDES, Settings
 from pool2d.game.drills.drill import MISSES
 from pool2d.game.rules import GAMES
@@ -37,8 +38,14 @@ OPTIONS = {(game, name): knob for game, rules in GAMES.items() for name, knob, _
 # What English takes from the knobs and the rules themselves.
 ELSEWHERE = (
     {f"{key}_hint": knob.doc for key, knob in KNOBS.items()}
-    | {f"option.{game}.{name}_hint": knob.doc for (game, name), knob in OPTIONS.items()}
+    | {f"game.{name}": rules.title for name, rules in GAMES.items()}
+    | {f"option.{GAMES[game].options_type.home(name)}.{name}_hint": knob.doc for (game, name), knob in OPTIONS.items()}
     | {f"ruling.{key}": text for key, text in RULINGS.items()}
+    | {
+        f"drills.{name}.{part}": str(read_toml(catalogue.find(catalogue.DRILLS, name))[part])
+        for name in catalogue.shipped(catalogue.DRILLS)
+        for part in ("name", "text")
+    }
     | {f"table.{name}": title_of(name) for name in catalogue.shipped(catalogue.TABLES)}
 )
 
@@ -93,8 +100,12 @@ def test_every_language_has_the_same_places_to_fill(language: str) -> None:
         assert words.places(text) == words.places((ENGLISH | ELSEWHERE)[key]), key
 
 
-def test_a_game_has_one_title() -> None:
-    assert {name: ENGLISH[f"game.{name}"] for name in GAMES} == {name: rules.title for name, rules in GAMES.items()}
+def test_what_an_option_does_is_translated_once() -> None:
+    homes = {(GAMES[game].options_type.home(name), name): knob.doc for (game, name), knob in OPTIONS.items()}
+    assert all(homes[GAMES[game].options_type.home(name), name] == knob.doc for (game, name), knob in OPTIONS.items())
+    assert {home for home, name in homes if name in ("three_foul", "points")} == {
+        "rotation", "straight", "one-pocket", "carom", "four-ball",
+    }  # fmt: skip
 
 
 def test_every_text_asked_for_is_there() -> None:
@@ -125,7 +136,6 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in LEGEND]
     wanted += [f"match.breaks_by.{name}" for name in BREAKS]
-    wanted += [f"game.{name}" for name in GAMES]
     wanted += [f"option.{name}" for _, name in OPTIONS]
     wanted += [f"choice.{value}" for knob in OPTIONS.values() for value in knob.choices]
     wanted += [f"drill.missed.{key}" for key in MISSES]

@@ -35,6 +35,7 @@ class FourBall(Carom):
 
     name = "four-ball"
     title = "Korean four-ball"
+    rank = 12
     scored = True
     racks = ("four-ball",)
     options_type = FourBallOptions

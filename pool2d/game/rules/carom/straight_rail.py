@@ -31,6 +31,7 @@ class StraightRail(Carom):
 
     name = "straight-rail"
     title = "Straight rail"
+    rank = 11
     scored = True
     options_type = StraightRailOptions
 

@@ -21,6 +21,7 @@ class ThreeCushion(Carom):
 
     name = "three-cushion"
     title = "Three-cushion"
+    rank = 10
     scored = True
 
     def counts(self, report: Report) -> bool:

@@ -51,6 +51,7 @@ class Blackball(PoolRules[BlackballState]):
 
     name = "blackball"
     title = "Blackball"
+    rank = 7
     racks = ("eight-ball",)
     groups = (RED, YELLOW)
     options_type = BlackballOptions

@@ -32,6 +32,7 @@ class EightBall(PoolRules[EightBallState]):
 
     name = "eight-ball"
     title = "Eight-ball"
+    rank = 1
     racks = ("eight-ball",)
     groups = (SOLID, STRIPE)
     state_type = EightBallState

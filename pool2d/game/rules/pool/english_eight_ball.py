@@ -46,6 +46,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
 
     name = "english-eight-ball"
     title = "English eight-ball"
+    rank = 6
     racks = ("eight-ball",)
     groups = (RED, YELLOW)
     state_type = EnglishState

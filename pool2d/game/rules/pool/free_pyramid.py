@@ -29,6 +29,7 @@ class FreePyramid(Rules[State]):
 
     name = "free-pyramid"
     title = "Free pyramid"
+    rank = 13
     scored = cue_counts = True
     racks = ("pyramid",)
     groups = ("white",)

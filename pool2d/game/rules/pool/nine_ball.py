@@ -25,6 +25,7 @@ class NineBall(Rotation):
 
     name = "nine-ball"
     title = "Nine-ball"
+    rank = 2
     racks = ("nine-ball",)
     last = "9"
     options_type = NineBallOptions

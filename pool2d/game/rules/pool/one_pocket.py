@@ -45,6 +45,7 @@ class OnePocket(PoolRules[OnePocketState]):
 
     name = "one-pocket"
     title = "One-pocket"
+    rank = 5
     scored = True
     racks = ("straight-pool",)
     options_type = OnePocketOptions

@@ -36,6 +36,7 @@ class Straight(PoolRules[StraightState]):
 
     name = "straight"
     title = "Straight pool"
+    rank = 4
     scored = True
     racks = ("straight-pool",)
     options_type = StraightOptions

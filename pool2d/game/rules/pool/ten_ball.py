@@ -21,6 +21,7 @@ class TenBall(Rotation):
 
     name = "ten-ball"
     title = "Ten-ball"
+    rank = 3
     racks = ("ten-ball",)
     last = "10"
     options_type = TenBallOptions

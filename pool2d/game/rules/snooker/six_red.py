@@ -34,6 +34,7 @@ class SixRed(Snooker):
 
     name = "six-red"
     title = "Six-red snooker"
+    rank = 9
     racks = ("six-red",)
     state_type = SixRedState
 

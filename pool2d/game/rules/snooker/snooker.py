@@ -70,6 +70,7 @@ class Snooker(Rules[SnookerState]):
 
     name = "snooker"
     title = "Snooker"
+    rank = 8
     scored = True
     series = "break"
     racks = ("snooker",)
