@@ -162,7 +162,8 @@ def time_ball_rail(motion: Motion, rail: Rail, reach: float, end: float) -> floa
     c0 = nx * px + ny * py - reach + SKIN
     c1 = nx * motion.vx + ny * motion.vy
     c2 = nx * motion.hx + ny * motion.hy
-    if -TOUCH <= c0 <= TOUCH:
+    # Beyond the ends a ball may be far behind the line of a nose; what touches it lies no deeper than SKIN.
+    if -SKIN <= c0 <= TOUCH:
         t = 0.0 if c1 < -NOISE else falling_root(0.0, max(c1, NOISE), c2)
     else:
         t = falling_root(c0, c1, c2)

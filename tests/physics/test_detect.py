@@ -155,3 +155,11 @@ def test_gap_is_negative_inside(off: float) -> None:
     jaw = Jaw("jaw", 0.5, 0.0, 0.02)
     assert jaw.gap(0.5, 0.02 + RADIUS + abs(off), RADIUS) == pytest.approx(abs(off), abs=1e-12)
     assert jaw.normal(0.5, 0.3) == (0.0, -1.0)
+
+
+@pytest.mark.parametrize("deeper", [0.0, 3e-12, 1e-10, 4e-10])
+def test_a_ball_that_has_drifted_a_hair_into_a_nose_still_meets_it(deeper: float) -> None:
+    """Rolling along a rail for minutes it may come nearer by some picometres; then it must not pass through."""
+    y = RADIUS - SKIN - deeper
+    assert RAIL.time(move(0.5, y, 0.1, -1e-4), RADIUS, 10.0) == 0.0
+    assert RAIL.time(move(0.5, y, 0.1, 1e-4), RADIUS, 0.01) == math.inf
