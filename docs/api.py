@@ -21,7 +21,7 @@ INTRODUCTION = """What `pool2d` and `pool2d.game` export, made of the docstrings
 the extra "docs": `pip install -e '.[docs]'`. The examples run as tests. Lengths are in m, times in s, velocities in
 m/s, spins in rad/s, masses in kg; the angles of a shot are in degrees."""
 # What of a definition the page tells: signatures and docstrings, in the order of the source.
-CONFIG = {
+CONFIG: Any = {
     "filters": ["!^_"],
     "heading_level": 3,
     "members_order": "source",
