@@ -1,4 +1,4 @@
-"""A question over another scene."""
+"""Dialogs: a form of widgets in the middle of the window, over the scene that it was opened from."""
 
 from __future__ import annotations
 
@@ -16,16 +16,17 @@ from ..wording.words import say
 
 
 def bottom_scene(scene: Scene) -> Scene:
-    """What lies below all dialogs of a scene: one that is asked over another hides it."""
+    """The scene at the bottom of a pile of dialogs; the scene itself where it is no dialog."""
     while isinstance(scene, Dialog):
         scene = scene.below
     return scene
 
 
 class Dialog:
-    """Some rows of widgets in the middle of the window; Esc, or setting `done`, goes back, `go` goes elsewhere.
+    """A scene that shows a form of widgets over the scene `below`.
 
-    `width` is in units of the grid.
+    Esc, or setting `done`, closes it and returns to that scene; `go` leads to another. `width` is the form's width
+    in units of the grid (`theme.unit`).
     """
 
     width = 50
@@ -38,13 +39,13 @@ class Dialog:
 
     @property
     def typing(self) -> bool:
-        """Whether keys are for what has the focus, whatever else they mean."""
+        """Whether the focused widget takes every key, as a text field does: no key is a shortcut then."""
         focus = self.form.focus
         return focus is not None and (focus.greedy or isinstance(focus, TextField))
 
     @property
     def still(self) -> bool:
-        """No: a hint appears where the pointer has rested for a while."""
+        """Never: a hint appears once the pointer has rested over a widget for a while."""
         return False
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
@@ -60,11 +61,11 @@ class Dialog:
         return self._next()
 
     def go(self, to: Scene | None) -> None:
-        """Lead to another scene than the one below; None quits."""
+        """Show the scene `to` next, instead of the one below; None quits the program."""
         self._after, self.done = to, True
 
     def _next(self) -> Scene | None:
-        """This scene until it is done, then what follows; it may be come back to."""
+        """The scene to show next: this one until it is done. It is reset, so that it can be opened again."""
         if not self.done:
             return self
         self.form.let_go()
@@ -83,7 +84,10 @@ class Dialog:
 
 
 class TextPrompt(Dialog):
-    """Asks for a text. `take` gets it, and returns what is wrong with it, or nothing."""
+    """A dialog that asks for a line of text.
+
+    `take` is called with the text on Enter or the button; it returns what is wrong with it, to be shown, or "".
+    """
 
     def __init__(self, below: Scene, title: str, label: str, value: str, take: Callable[[str], str]) -> None:
         self.field = TextField(label, value)
@@ -114,7 +118,7 @@ class TextPrompt(Dialog):
 
 
 class Confirm(Dialog):
-    """A question with a way on and a way back; `do` leads on."""
+    """A dialog that asks to confirm something: the confirming button calls `do`, Esc and the other go back."""
 
     width = 44
 

@@ -18,7 +18,7 @@ Line = tuple[str, str]
 
 
 class Help:
-    """A page over another scene; any key or click goes back to it."""
+    """The page that lists keys and mouse actions, over another scene; any key or click returns to that."""
 
     def __init__(self, below: Scene) -> None:
         self.below = below
@@ -54,12 +54,12 @@ class Help:
 
 
 def hands() -> list[Line]:
-    """What hands do: the grip and what it leads to."""
+    """What the mouse does, as pairs of an action's name and its effect, in the present language."""
     return [(say(f"hand.{name}.name"), say(f"hand.{name}.does")) for name in HANDS]
 
 
 def keys() -> list[Line]:
-    """What keys do at present: the keys and what they lead to."""
+    """What the keys do, as pairs of the keys bound at present and their effect."""
     lines = []
     for actions in rows():
         shown = KEYS.shown(*actions)
@@ -69,7 +69,7 @@ def keys() -> list[Line]:
 
 
 class _Page(NamedTuple):
-    """The lines in columns, the size of the letters, from line to line, and what the page takes, in pixels."""
+    """A laid-out page: the columns of lines; size of the letters, line spacing, width and height, in pixels."""
 
     columns: list[list[Line]]
     size: int
@@ -79,7 +79,7 @@ class _Page(NamedTuple):
 
 
 def _laid(lines: list[Line], screen: Screen) -> _Page:
-    """The lines in as many columns as let the letters be largest."""
+    """The layout in that number of columns which lets the letters be largest."""
     page = None
     for size in range(screen.small, 0, -1):
         for count in (1, 2, 3):
@@ -99,6 +99,6 @@ def _in_columns(lines: list[Line], count: int, size: int, screen: Screen) -> _Pa
 
 
 def _widths(lines: list[Line], size: int) -> tuple[int, int]:
-    """How wide the names and what they do are."""
+    """How wide the two columns of a list are, names and effects, in pixels."""
     left, right = (max(text.font(size).size(line[i])[0] for line in lines) for i in (0, 1))
     return left, right

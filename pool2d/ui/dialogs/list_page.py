@@ -1,4 +1,4 @@
-"""A shelf: lines to open something from, below each other; some of it can be thrown away."""
+"""A page that lists things to open: positions, drills, replays, unfinished matches. Some can be deleted."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from .dialog import Dialog
 
 
 class ListPage(Dialog):
-    """A heading, perhaps with a text below it, and the lines of `entries`; what goes wrong is told above them."""
+    """A dialog with a heading, perhaps a text, and a list of rows, which `entries` gives.
+
+    An error that opening or deleting a row has caused is shown above the rows.
+    """
 
     width = 76
 
@@ -25,11 +28,11 @@ class ListPage(Dialog):
         self._lay_out()
 
     def entries(self) -> Sequence[Widget]:
-        """The lines; asked for anew whenever one of them has done something."""
+        """The rows; asked for again whenever one of them has done something."""
         raise NotImplementedError
 
     def reporting(self, do: Callable[[], str | None]) -> Callable[[], None]:
-        """`do` for a line; what is wrong, which it returns or raises as InputError, is told."""
+        """A row's action; the error that `do` returns as a text, or raises as InputError, is shown on the page."""
 
         def done() -> None:
             try:

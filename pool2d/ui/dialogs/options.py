@@ -35,7 +35,7 @@ _TALL = 5.4
 
 
 class OptionsPage(Dialog):
-    """A page of options over another scene; Esc or its button goes back. `store` is what is turned."""
+    """The options over another scene; Esc or the button returns to that. Every change goes to `store` at once."""
 
     width = 68
 
@@ -114,10 +114,11 @@ class OptionsPage(Dialog):
 
 
 class KeyRow(Widget):
-    """An action and its keys. Press it, or Enter on it, and then the new key; Delete sets the keys back.
+    """A row that shows an action and the keys bound to it, and binds others.
 
-    A key that another action has is told first, and taken from there when it is pressed again. While it waits
-    for the new key it is greedy.
+    A press or Enter makes it wait for a key, Delete restores the default keys. A key that is bound to another
+    action is reported first, and taken from that action when it is pressed a second time. While it waits it takes
+    every key, Tab and Esc too.
     """
 
     rows = 1.1
@@ -195,12 +196,12 @@ _MODIFIERS = (
 
 
 def _told(name: str) -> Callable[[str], str]:
-    """How the values of a setting are told."""
+    """The text for each value of a setting, by the setting's name."""
     if name == "screen.language":
         return _language
     return lambda value: words.say_or(f"choice.{value}", value)
 
 
 def _language(code: str) -> str:
-    """A language's name, in itself."""
+    """A language's own name for itself, by its code, as "Deutsch" for "de"."""
     return say("language.auto") if code == words.AUTO else words.catalogue(code).texts.get("language.name", code)

@@ -17,9 +17,10 @@ _LINES = 9
 
 
 class Pick(Dialog):
-    """One of some names, all different. `take` gets the place of the one chosen, by the button or by Enter.
+    """A dialog that lets one of several names, all different, be chosen.
 
-    It returns the scene to go on with, or what is wrong.
+    `take` is called with the index of the chosen name on Enter or the button; it returns the scene to show next, or
+    a text that says what is wrong.
     """
 
     width = 76

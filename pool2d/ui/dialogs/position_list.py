@@ -1,4 +1,4 @@
-"""Positions that the player keeps: asking for a name, and the list to open one from."""
+"""Saved positions: the question for a name to save one under, and the list to open one from."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from .list_page import ListPage
 
 
 def ask_for_name(below: Scene, keep: Callable[[str], None]) -> TextPrompt:
-    """A question for the position's name; `keep` gets it, and may raise InputError.
+    """A dialog that asks for a position's name and calls `keep` with it; an InputError of that is shown.
 
-    A name that is taken already is asked for twice before what it names is replaced.
+    A name that is taken has to be confirmed by a second Enter before its position is replaced.
     """
     warned = ""
 
@@ -40,7 +40,11 @@ def ask_for_name(below: Scene, keep: Callable[[str], None]) -> TextPrompt:
 
 
 class PositionList(ListPage):
-    """The positions kept; `take` gets the name of the one chosen, and returns what is wrong with it, or raises it."""
+    """The list of saved positions.
+
+    `take` is called with the name of the chosen one; what is wrong it returns as a text or raises as InputError,
+    and it is shown.
+    """
 
     def __init__(self, below: Scene, take: Callable[[str], str]) -> None:
         self.take = take

@@ -1,4 +1,4 @@
-"""Saving the table that is played on as a preset of one's own."""
+"""The question for a name under which the table that is played on is saved as the player's own preset."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .dialog import TextPrompt
 
 
 def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> TextPrompt:
-    """A question for the preset's name; `saved` is told where it was written."""
+    """A dialog that asks for a preset's name and saves the table; `saved` is called with the file's path."""
 
     def save(name: str) -> str:
         try:

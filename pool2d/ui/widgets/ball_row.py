@@ -1,4 +1,4 @@
-"""A row of balls among widgets: what the settings make of their colours is seen at once."""
+"""A widget that shows pool balls in a row, so that a palette or the shapes can be judged where they are set."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _BALLS = tuple(str(number) for number in range(1, 16))
 
 
 class BallRow(Widget):
-    """The balls of a pool set side by side, in the style that `style` says."""
+    """The balls of a pool set side by side; `style` is asked at each frame how they are drawn."""
 
     rows = 1.6
     focusable = False

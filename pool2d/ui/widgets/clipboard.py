@@ -9,7 +9,7 @@ _NONE = (pygame.error, AttributeError, NotImplementedError)
 
 
 def get() -> str | None:
-    """What has been copied, anywhere; None where there is no clipboard."""
+    """The text on the system's clipboard; None where there is no clipboard."""
     try:
         return pygame.scrap.get_text()
     except _NONE:
@@ -17,7 +17,7 @@ def get() -> str | None:
 
 
 def put(words: str) -> bool:
-    """Copy a text; False where there is no clipboard."""
+    """Put a text on the system's clipboard; False where there is no clipboard."""
     try:
         pygame.scrap.put_text(words)
     except _NONE:

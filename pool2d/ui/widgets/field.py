@@ -10,10 +10,11 @@ from .widget import Widget, plate, tone
 
 
 class TextField(Widget):
-    """Text from `start` to `cursor`, whichever comes first, is selected: typing replaces it.
+    """A line of text to type in.
 
-    Left, Right, Home and End move the cursor (Ctrl by words, Shift selecting); Ctrl+A, C, X and V are what
-    they are everywhere.
+    `start` and `cursor` are indices between letters; the text between them, in either order, is selected, and
+    typing replaces it. Left, Right, Home and End move the cursor (Ctrl by words, Shift selecting); Ctrl+A, C, X and
+    V select all, copy, cut and paste.
     """
 
     rows = 2.4
@@ -34,14 +35,14 @@ class TextField(Widget):
 
     @property
     def selected(self) -> tuple[int, int]:
-        """The first place selected, and the one after the last."""
+        """The selection as two indices, the lower first; the same twice where nothing is selected."""
         return min(self.start, self.cursor), max(self.start, self.cursor)
 
     def select_all(self) -> None:
         self.start, self.cursor = 0, len(self.value)
 
     def type(self, words: str) -> None:
-        """Put text in place of what is selected, as much as there is room for."""
+        """Insert a text in place of the selection, as much of it as the field may hold."""
         first, last = self.selected
         room = self.limit - len(self.value) + last - first
         new = "".join(char for char in words if char.isprintable())[: max(0, room)]
@@ -93,14 +94,14 @@ class TextField(Widget):
             self.start = self.cursor
 
     def _step(self, by: int, word: bool) -> int:
-        """Where the cursor is a letter, or a word, further."""
+        """The index a letter, or with `word` a word, to the right of the cursor, or to the left for `by` = -1."""
         at = min(max(self.cursor + by, 0), len(self.value))
         while word and 0 < at < len(self.value) and not (self.value[at - 1] == " " != self.value[at]):
             at += by
         return at
 
     def _at(self, x: int) -> int:
-        """The place in the text nearest to a pixel."""
+        """The index between letters that is nearest to a pixel's x."""
         left = self.rect.left + self._size * 4 // 7 - self._shift
         width = text.font(self._size).size
         return min(range(len(self.value) + 1), key=lambda at: abs(left + width(self.value[:at])[0] - x))

@@ -1,4 +1,4 @@
-"""A column of widgets with a focus, that scrolls where it has to, and tells hints."""
+"""A column of widgets: it keeps the focus, scrolls, and shows hints."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _HINT = 0.5
 
 
 class Form:
-    """Widgets in rows, on a panel.
+    """Rows of widgets on a panel. It hands them the events that they are to take, and draws them.
 
-    Tab and Shift+Tab (Up and Down too, where the widget has no use for them) move the focus, PageUp, PageDown, Home and
-    End go farther, the wheel scrolls, and so does dragging the mark that tells that there is more. A row may hold
-    several widgets side by side; Left and Right go along it. The ring around the focus is shown while it is moved
-    by keys. Between the widgets and the panel's edge there are `margin` units of the grid.
+    Tab and Shift+Tab move the focus, and so do Up and Down where the focused widget has no use for them; Page Up,
+    Page Down, Home and End move it farther. Left and Right go along a row of several widgets. The wheel scrolls,
+    and so does dragging the scroll bar. The ring round the focused widget is drawn while the focus is moved by
+    keys. `margin` is the space between the widgets and the panel's edge, in units of the grid.
     """
 
     def __init__(self, rows: list[list[Widget]], margin: int = 2) -> None:
@@ -41,7 +41,7 @@ class Form:
         return [widget for row in self.rows for widget in row]
 
     def set_rows(self, rows: list[list[Widget]]) -> None:
-        """Show these; the focus stays with its widget, or goes to the one that now stands in its place."""
+        """Show other rows; the focus stays on its widget, or goes to the one now in its place."""
         at = self.widgets.index(self.focus) if self.focus is not None else 0
         self.rows = rows
         if self.focus not in self.widgets:
@@ -56,11 +56,11 @@ class Form:
             self.place(self.rect, self.unit)
 
     def height(self, unit: int) -> int:
-        """How tall the rows are, in pixels."""
+        """The height of all rows together, in pixels, for a grid of `unit` pixels."""
         return sum(_row_height(row, unit) for row in self.rows)
 
     def place(self, rect: pygame.Rect, unit: int) -> None:
-        """Lay the widgets out in `rect`."""
+        """Lay the widgets out within `rect`, in pixels, on a grid of `unit` pixels."""
         self.rect, self.unit = rect, unit
         self.scroll = max(0, min(self.scroll, self.height(unit) - rect.height + 2 * self.margin * unit))
         margin = self.margin * unit
@@ -73,7 +73,7 @@ class Form:
             y += height
 
     def handle(self, event: pygame.event.Event) -> bool:
-        """Take an event; whether it was meant for the form."""
+        """Take an event; returns whether the form had a use for it, so that nobody else is to take it."""
         if event.type == pygame.MOUSEMOTION:
             return self._move(event.pos)
         if event.type == pygame.MOUSEBUTTONDOWN and self.rect.collidepoint(event.pos):
@@ -96,7 +96,7 @@ class Form:
         return False
 
     def let_go(self) -> None:
-        """Hold nothing any more, as if the button had gone up elsewhere: its going up may never be told."""
+        """Release whatever is held by the mouse: the window has lost it, and its button's release may never come."""
         if self._held is not None:
             self._held.held, self._held.pointer = False, None
         self._held, self._pressed, self._scrolling = None, False, None
@@ -184,7 +184,7 @@ class Form:
         return self._inside
 
     def _mark(self) -> pygame.Rect | None:
-        """The mark that tells which part of the rows is in sight."""
+        """The scroll bar's handle, in pixels; None where all rows are in sight."""
         whole = self.height(self.unit) + 2 * self.margin * self.unit
         return scroll_mark(self.rect, self.scroll, self.rect.height, whole, self.unit)
 
@@ -210,7 +210,7 @@ class Form:
             self._show(self.focus)
 
     def _leap(self, key: int) -> None:
-        """Go to the first widget or the last, or about as far as is in sight."""
+        """Move the focus by Home or End to the first or last widget, by Page Up or Down about as far as is in sight."""
         stops = [widget for widget in self.widgets if widget.focusable]
         self.by_keys = True
         if not stops:
@@ -227,7 +227,7 @@ class Form:
         self._show(to)
 
     def _step_aside(self, by: int) -> bool:
-        """Go on to the next widget of the same row; whether there is one."""
+        """Move the focus along its row; returns whether there was a widget to go to."""
         row = next((row for row in self.rows if self.focus in row), [])
         stops = [widget for widget in row if widget.focusable]
         at = stops.index(self.focus) + by if self.focus in stops else -1
@@ -238,7 +238,7 @@ class Form:
         return True
 
     def _show(self, widget: Widget) -> None:
-        """Scroll so far that a widget is in sight."""
+        """Scroll until a widget is in sight."""
         margin = 2 * self.unit
         if widget.rect.top < self.rect.top + margin:
             self.scroll -= self.rect.top + margin - widget.rect.top

@@ -1,4 +1,4 @@
-"""Controls that hold a value: sliders, choices, lists."""
+"""Widgets that hold a value: slider, selector, list box."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ class Slider(Widget):
         self._unit = 8
 
     def part(self, value: float) -> float:
-        """Where in the range a value is, 0 to 1."""
+        """Where a value lies in the range, from 0 to 1."""
         lo, hi = self.knob.lo, self.knob.hi
         return math.log(value / lo) / math.log(hi / lo) if self._log else (value - lo) / (hi - lo)
 
     def value(self, part: float) -> float:
-        """The value at a part of the range, to three or four digits."""
+        """The value at a place in the range, from 0 to 1, rounded to three or four digits."""
         lo, hi = self.knob.lo, self.knob.hi
         part = min(max(part, 0.0), 1.0)
         exact = lo * math.pow(hi / lo, part) if self._log else lo + part * (hi - lo)
@@ -92,9 +92,9 @@ class Slider(Widget):
 
 
 class Selector(Widget):
-    """One of a few names, on one line: click its left or right half, or press Left or Right.
+    """One of a few names, shown on one line: a click on its left or right half, Left or Right turn to another.
 
-    `shown` is how a name is told.
+    `shown` gives the text for a name.
     """
 
     rows = 1.25
@@ -143,12 +143,15 @@ class Selector(Widget):
         text.draw(surface, said, size, theme.TEXT, box.center, (0.5, 0.5))
 
     def _middle(self) -> int:
-        """Left of this, a click turns back."""
+        """The x that divides the halves, in pixels: a click to its left turns back."""
         return self.rect.left + self.rect.width * 7 // 10
 
 
 class ListBox(Widget):
-    """Names below each other, one of which is chosen; it scrolls to keep that in sight. `shown` is how one is told."""
+    """Names below each other, one of which is chosen; it scrolls to keep that one in sight.
+
+    `shown` gives the text for a name.
+    """
 
     def __init__(
         self, options: Callable[[], Sequence[str]], get: Callable[[], str], put: Callable[[str], None], lines: int = 8,
@@ -163,7 +166,7 @@ class ListBox(Widget):
         self.rows = float(lines)
 
     def first(self) -> int:
-        """The first line in sight."""
+        """The index of the first name in sight."""
         options = list(self.options())
         at = options.index(self.get()) if self.get() in options else 0
         return max(0, min(at - self.lines // 2, len(options) - self.lines))

@@ -1,4 +1,4 @@
-"""A line of a list: a name, a note on the right, perhaps a text below it, and a way to throw it away."""
+"""A row of a list page: a name, a note on its right, perhaps a text below, and a cross that deletes it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,11 @@ from .widget import Button, face, plate, tone
 
 
 class ListRow(Button):
-    """Opens something. `remove` throws it away, on Delete or the cross at its end, when asked a second time."""
+    """A row that opens something when it is clicked, or by Enter.
+
+    `remove`, where given, deletes that: on Delete or a click on the cross, the second time, the first asking to
+    confirm.
+    """
 
     def __init__(
         self, label: str, do: Callable[[], None], note: str = "", below: str = "",

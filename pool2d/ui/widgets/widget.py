@@ -1,7 +1,7 @@
-"""Controls drawn by hand: the base of all, headings, buttons, toggles, tabs.
+"""The base of all widgets, and the simple ones: heading, gap, button, toggle, tabs.
 
-A widget has a place and takes the events that its form hands it. All of them work by mouse and by
-keyboard; all colours and measures come from the theme.
+A widget has a place and takes the events that its form hands it. Each works by mouse and by keyboard; colours and
+measures come from `draw.theme`.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ from ...draw import pen, shapes, text, theme
 class Widget:
     """What every control has.
 
-    `rows` is its height in rows of the form; `hint` is told on hovering; `greedy` ones get Tab and Esc too,
-    while they have the focus. A ring marks the focus, wider and taller than the widget by `margin`, in units of the
-    grid; those that are not `ringed` mark it themselves. The form keeps `held`, whether the button is down on it, and
+    `rows` is its height in rows of the form, `rect` its place in pixels. `hint` is shown while the pointer rests on
+    it. A `greedy` one gets every key while it has the focus, Tab and Esc too. The form draws a ring round the
+    focused widget, wider and taller than it by `margin`, in units of the grid; one that is not `ringed` shows its
+    focus itself. The form keeps two fields up to date: `held`, whether the mouse button is down on it, and
     `pointer`, where the pointer is while it is over it.
     """
 
@@ -36,7 +37,7 @@ class Widget:
 
     @property
     def pressed(self) -> bool:
-        """Whether letting the button go now would act."""
+        """Whether it looks pressed: the button is down on it and the pointer still over it, so a release would act."""
         return self.held and self.pointer is not None
 
     def press(self, pos: tuple[int, int]) -> None:
@@ -49,14 +50,14 @@ class Widget:
         """The button went up again."""
 
     def leave(self) -> None:
-        """The focus goes elsewhere."""
+        """It loses the focus."""
 
     def key(self, key: int, mod: int) -> bool:
-        """A key, while it has the focus; whether it meant something to it."""
+        """Take a key while it has the focus; returns whether it had a use for it."""
         return False
 
     def type(self, words: str) -> None:
-        """Text, while it has the focus."""
+        """Take typed text while it has the focus."""
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         """Draw it in its place."""
@@ -68,19 +69,22 @@ def plate(surface: pygame.Surface, rect: pygame.Rect, color: theme.Color, unit: 
 
 
 def face(pressed: bool, hovered: bool) -> theme.Color:
-    """The colour of what can be pressed."""
+    """The fill colour of something that can be pressed."""
     return theme.FACE_DOWN if pressed else theme.FACE_LIT if hovered else theme.FACE
 
 
 def ring(surface: pygame.Surface, widget: Widget, unit: int) -> None:
-    """Mark what has the focus."""
+    """Draw the ring that marks the focus."""
     wider, taller = widget.margin
     rect = widget.rect.inflate(round(unit * wider), round(unit * taller))
     shapes.rounded(surface, rect, None, unit, theme.ACCENT, max(2, unit // 5))
 
 
 def scroll_mark(rect: pygame.Rect, first: int, seen: int, whole: int, unit: int) -> pygame.Rect | None:
-    """The mark at the right edge of `rect` that tells which part of the whole is in sight; None where all is."""
+    """The scroll bar's handle at the right edge of `rect`; None where everything is in sight.
+
+    `first` is the first row in sight, `seen` how many are, `whole` how many there are.
+    """
     if whole <= seen:
         return None
     room = rect.height - unit
@@ -95,7 +99,7 @@ def tone(hovered: bool) -> theme.Color:
 
 
 class Heading(Widget):
-    """Text that only tells, in as many lines as there is room for."""
+    """A text that does nothing, wrapped into as many lines as its rows have room for."""
 
     focusable = False
 
@@ -122,7 +126,7 @@ class Heading(Widget):
 
 
 class Gap(Widget):
-    """Room between others."""
+    """Empty space between other widgets."""
 
     focusable = False
 
@@ -132,7 +136,7 @@ class Gap(Widget):
 
 
 class Button(Widget):
-    """Does something when it is pressed and released, or on Enter or Space; grey, and idle, while it is `barred`."""
+    """Calls `do` when it is pressed and released, or on Enter or Space; greyed, and without effect, while `barred`."""
 
     rows = 1.5
     margin = (0.75, 0.3)
@@ -176,7 +180,7 @@ class Button(Widget):
 
 
 class Toggle(Widget):
-    """On or off."""
+    """A switch that is on or off."""
 
     rows = 1.25
 
@@ -211,7 +215,7 @@ class Toggle(Widget):
 
 
 class Tabs(Widget):
-    """Names side by side, one of which is open; `shown` is how a name is told."""
+    """Names side by side, one of which is open; `shown` gives the text for a name."""
 
     rows = 1.5
 
