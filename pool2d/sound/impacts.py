@@ -1,4 +1,4 @@
-"""What is to be heard of a rollout: which kind of sound, how hard, and where on the table."""
+"""Which sounds a stretch of a rollout makes: of what kind, how hard, and where on the table."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _FALL = 1.4
 
 
 class Impact(NamedTuple):
-    """A sound: its kind (see `synth.KINDS`), the speed of the contact, m/s, and its x on the table, m."""
+    """A sound: its kind, a key of `synth.KINDS`, the speed of the contact, m/s, and its x on the table, m."""
 
     kind: str
     speed: float
@@ -26,9 +26,9 @@ class Impact(NamedTuple):
 
 
 def impacts(rollout: Rollout, t0: float, t1: float) -> list[Impact]:
-    """The sounds of the events in (t0, t1]: none where time stands, runs backward or jumps.
+    """The sounds of the events in (t0, t1], s; none where t1 is not after t0, or so far after that time has jumped.
 
-    The stroke is at 0, so a `t0` below 0 hears it.
+    The stroke's own sound is at 0, so it is heard where `t0` is below 0.
     """
     if not t0 < t1 <= max(t0, 0.0) + _JUMP:
         return []
@@ -52,7 +52,7 @@ def _sounds(event: Event) -> list[Impact]:
 def _balls(event: Event) -> list[Impact]:
     """A knock for each pair of balls that touched, at most a few.
 
-    It is as hard as the faster of their approach and half of what changed of it: the second is what
+    Its speed is the pair's approach, or half of what the contact changed of that, whichever is more: the second
     tells for balls that touched before.
     """
     before, after = event.before, event.after
@@ -66,18 +66,18 @@ def _balls(event: Event) -> list[Impact]:
 
 
 def _cushions(event: Event) -> list[Impact]:
-    """A thud for each ball that met a cushion, be it two at once."""
+    """A thud for each ball that met a cushion in the event."""
     before, after = event.before, event.after
     met = dict.fromkeys(name for name, _ in event.rails)
     return [Impact("cushion", _blow(before[name], after[name]), before[name].x) for name in met]
 
 
 def _approach(a: Ball, b: Ball) -> float:
-    """How fast two balls near each other, m/s."""
+    """The speed at which two balls near each other, m/s."""
     dx, dy = b.x - a.x, b.y - a.y
     return ((a.vx - b.vx) * dx + (a.vy - b.vy) * dy) / math.hypot(dx, dy)
 
 
 def _blow(before: Ball, after: Ball) -> float:
-    """How hard a cushion was met, m/s: half of what it changed, which is little less than the speed across it."""
+    """How hard a ball met a cushion, m/s: half the change of its velocity, about its speed across the cushion."""
     return 0.5 * math.hypot(after.vx - before.vx, after.vy - before.vy)

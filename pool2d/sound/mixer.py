@@ -1,7 +1,7 @@
-"""Playing the sounds of the table; without a device, silence.
+"""Playing sounds through the system's device; without a device, silence.
 
-Nothing here delays the first frame: the device is opened after it, and the sounds are made one at a time
-between the frames that follow, all within about a second.
+Nothing here delays the first frame: the device is opened after it, and the sounds are made one at a time between
+the frames that follow, all within about a second.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Sounds:
         self._open: bool | None = None
 
     def prepare(self) -> bool:
-        """Do the next piece of work: open the device, then make a sound. False when there is none left."""
+        """Do the next piece of preparation: open the device, then make one sound a call. False when all is done."""
         if self._open is None:
             self._open = _open()
             self._waves = synth.waves() if self._open else None
@@ -69,12 +69,12 @@ class Sounds:
         return True
 
     def play_events(self, table: Table, rollout: Rollout, t0: float, t1: float) -> None:
-        """Play what happens in (t0, t1] of a rollout; nothing where time runs backward or jumps."""
+        """Play the sounds of a rollout's events in (t0, t1], s; none where time runs backward or jumps."""
         if self._made:
             self.play(impacts(rollout, t0, t1), table.knobs.table.length)
 
     def play(self, sounds: list[Impact], length: float = 1.0) -> None:
-        """Start the loudest of these that the limit allows; `length` is that of their table, m."""
+        """Start the loudest of these, as many as may sound at once; `length` is the table's, m, for left and right."""
         if self.muted:
             return
         now = self._clock()
@@ -98,13 +98,13 @@ class Sounds:
         self.play([Impact("click", 1.0, 0.5)])
 
     def mute(self, muted: bool) -> None:
-        """Be silent, at once, or sound again."""
+        """Silence everything at once, or let it sound again."""
         self.muted = muted
         if self.muted and self._open:
             pygame.mixer.stop()
 
     def close(self) -> None:
-        """Let go of the device; `prepare` would open it again."""
+        """Close the device; `prepare` opens it again."""
         self._made.clear()
         self._waves = None
         if self._open:
@@ -112,7 +112,7 @@ class Sounds:
         self._open = None
 
     def _start(self, sound: Impact, sides: list[float]) -> bool:
-        """Play a variant of the speed that is nearest; False where it is not made yet, or all channels are busy."""
+        """Play a variant of the nearest speed; False where it is not made yet, or no channel is free."""
         speeds = self._made.get(sound.kind)
         if not speeds:
             return False
@@ -127,13 +127,13 @@ class Sounds:
 
 
 def loudness(sound: Impact) -> float:
-    """How loud a sound is played, 0 to 1."""
+    """How loud a sound is played, from 0 to 1, by its kind and the speed of its contact."""
     most, speed = _LOUDNESS[sound.kind]
     return most * math.pow(min(sound.speed / speed, 1.0), _POWER)
 
 
 def pan(part: float) -> tuple[float, float]:
-    """How loud the left and the right are for a place, 0 to 1 along the table; their power is always one."""
+    """The levels left and right for a place, 0 to 1 along the table; their squares add up to one."""
     side = _WIDTH * (2.0 * min(max(part, 0.0), 1.0) - 1.0)
     angle = 0.25 * math.pi * (1.0 + side)
     return math.cos(angle), math.sin(angle)
@@ -153,7 +153,7 @@ def _open() -> bool:
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Drop what the system's sound libraries print: they write to standard error past Python."""
+    """Silence what the system's sound libraries print to standard error, which Python cannot catch."""
     try:
         kept = os.dup(2)
     except OSError:

@@ -48,7 +48,7 @@ _TICK = ((1850.0, 0.004, 1.0), (3100.0, 0.003, 0.6))
 
 
 class Kind(NamedTuple):
-    """A kind of sound: how it is made, at which speeds (m/s), and how many variants of each."""
+    """A kind of sound: the function that makes it, the speeds, m/s, that it is made for, how many variants of each."""
 
     make: Callable[[float, float, Noise], Wave]
     speeds: tuple[float, ...]
@@ -196,21 +196,21 @@ def _ring(seconds: float, partials: Sequence[tuple[float, float, float]], pitch:
 
 
 def _dying_noise(seconds: float, fade: float, noise: Noise, low: float, high: float) -> Wave:
-    """Noise between two frequencies that dies away: what a room or cloth adds."""
+    """Noise between two frequencies, Hz, that dies away within about `fade` s: what a room or cloth adds."""
     time = _time(seconds)
     hiss = _unit(_band(noise.standard_normal(time.size), low, high))
     return hiss * np.exp(-time / fade) * np.minimum(time / 0.002, 1.0)
 
 
 def _struck(pulse: Wave, answer: Wave) -> Wave:
-    """What a force brings forth of something that answers a sudden push so."""
+    """The sound of a pulse of force on something that answers a sudden push by `answer`: their convolution."""
     size = pulse.size + answer.size - 1
     room = _room(size)
     return np.asarray(np.fft.irfft(np.fft.rfft(pulse, room) * np.fft.rfft(answer, room), room)[:size])
 
 
 def _band(wave: Wave, low: float, high: float) -> Wave:
-    """What lies between two frequencies, with soft edges."""
+    """The part of a wave between two frequencies, Hz, with soft edges."""
     room = _room(wave.size)
     frequency = np.maximum(np.fft.rfftfreq(room, 1.0 / RATE), 1e-3)
     keep = 1.0 / np.sqrt((1.0 + (low / frequency) ** 4) * (1.0 + (frequency / high) ** 4))
@@ -218,7 +218,7 @@ def _band(wave: Wave, low: float, high: float) -> Wave:
 
 
 def _room(size: int) -> int:
-    """A little more than `size`, with small factors: a Fourier transform of that length is fast."""
+    """A length of a little more than `size` with small factors, for which a Fourier transform is fast."""
     step = 1 << max(0, size.bit_length() - 4)
     return -(-size // step) * step
 
@@ -229,7 +229,7 @@ def _smooth(wave: Wave, width: int) -> Wave:
 
 
 def _unit(wave: Wave) -> Wave:
-    """With a peak of one."""
+    """The wave scaled to a peak of one."""
     return np.asarray(wave / np.abs(wave).max())
 
 
@@ -238,7 +238,7 @@ def _later(wave: Wave, seconds: float) -> Wave:
 
 
 def _sum(*parts: Wave) -> Wave:
-    """Waves that begin together."""
+    """The sum of waves that begin together; the longest gives the length."""
     whole = np.zeros(max(part.size for part in parts))
     for part in parts:
         whole[: part.size] += part
@@ -246,7 +246,7 @@ def _sum(*parts: Wave) -> Wave:
 
 
 def _faded(wave: Wave, start: float, end: float) -> Wave:
-    """With a rise and a fall of so many seconds."""
+    """The wave with a fade-in and a fade-out, each in s."""
     time = _time(wave.size / RATE)
     edge = np.minimum(np.minimum(time / start, time[::-1] / end), 1.0)
     return np.asarray(wave * np.sin(0.5 * math.pi * edge) ** 2)

@@ -1,4 +1,4 @@
-"""Balls as lit spheres that lie as they have turned, at any size and placed to a quarter of a pixel."""
+"""Balls drawn as lit spheres, turned as they have rolled, at any radius, placed to a quarter of a pixel."""
 
 from __future__ import annotations
 
@@ -23,9 +23,11 @@ _FAINT = 110
 
 
 class Placed(NamedTuple):
-    """A ball to be drawn: how it looks and lies, where in pixels; `alpha` below 255 lets the table through.
+    """A ball to be drawn: its look, centre and radius in pixels, and orientation.
 
-    A ball with a `shadow` stands on the cloth. One that is seen for a moment only need not be `fine`.
+    `alpha` from 0, unseen, to 255, solid. `shadow` asks for a shadow on the cloth, which a ball in a tray has not.
+    One that is not `fine` is drawn faster and a little rougher: for a ball that moves and is seen for one frame
+    only.
     """
 
     look: Look
@@ -55,16 +57,20 @@ def draw(
     orientation: Quaternion = FACING,
     style: Style = theme.PLAIN,
 ) -> None:
-    """Draw one ball and its shadow; `faint` for one that is not really there.
+    """Draw one ball and its shadow, at `centre` with `radius`, in pixels.
 
-    Without a look, a ball that is a number looks like that ball of a pool set, and any other is a cue ball.
+    `faint` is for a ball that is not really there, such as the guide's ghost ball. Without a `look`, a ball whose
+    id is a number looks like that ball of a pool set, and any other like a cue ball.
     """
     alpha = _FAINT if faint else 255
     draw_all(surface, [Placed(look or usual(ball), centre, radius, orientation, alpha, not faint)], style)
 
 
 def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = theme.PLAIN) -> list[pygame.Rect]:
-    """Draw balls, the first lowest, above the shadows of all; returns the boxes in which it has drawn."""
+    """Draw balls, later ones over earlier ones, all above their shadows.
+
+    Returns the rectangles, in pixels, in which it has drawn.
+    """
     shadows, sprites, corners = [], [], []
     for ball in balls:
         radius = max(1.0, round(ball.radius * STEPS) / STEPS)
@@ -84,7 +90,7 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
 
 @lru_cache(maxsize=256)
 def usual(ball: str) -> Look:
-    """The look of a ball that its preset says nothing of."""
+    """The look of a ball whose preset does not describe it: by its number, or as a cue ball."""
     number = int(ball) if ball.isdecimal() and len(ball) < 4 else 0
     if number == 0:
         return Look(_hex(IVORY), dots=True)
@@ -97,14 +103,17 @@ def _hex(color: tuple[int, ...]) -> str:
 
 
 def _rounded(orientation: Quaternion, radius: float) -> Quaternion:
-    """The orientation, not of unit length, in steps that move the rim by about a quarter of a pixel."""
+    """The orientation rounded, so that pictures can be reused: neighbours differ by a quarter of a pixel at the rim.
+
+    The quaternion is not of unit length.
+    """
     w, x, y, z = orientation
     fine = math.copysign(8.0 * radius, w)
     return round(w * fine), round(x * fine), round(y * fine), round(z * fine)
 
 
 def _images(sprites: Sequence[Sprite]) -> list[pygame.Surface]:
-    """The pictures of balls, those not at hand drawn together by size and fineness."""
+    """The pictures of sprites; those that are not remembered are drawn together, by radius and fineness."""
     # One that is good for a moment only is hardly ever wanted again.
     images = [_drawn.get(sprite) if sprite.fine else None for sprite in sprites]
     missing: dict[tuple[float, bool], list[int]] = {}

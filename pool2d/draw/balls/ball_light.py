@@ -1,4 +1,4 @@
-"""How light falls on a ball of some size and the cloth beside it: worked out once, then only looked up."""
+"""Light on balls of one radius, and their shadows: worked out once for each place within a pixel, then looked up."""
 
 from __future__ import annotations
 
@@ -31,10 +31,11 @@ _DITHER = 0.8
 
 
 class Light:
-    """What is the same for every ball of `radius` pixels, over a square of pixels row by row.
+    """Normals, shading, gloss and cover of every pixel of a ball, for balls of `radius` pixels.
 
-    The square has `half` pixels to each side of the middle one. Where on it a ball's middle is, counts:
-    a step is `STEPS` times the quarter pixels it is to the right of its leftmost, and those down.
+    They are kept for a square of 2 `half` + 1 pixels a side, row by row, about the pixel nearest to the ball's
+    centre. They depend on where in that pixel the centre is, to a quarter of a pixel: that is its step, `STEPS`
+    times the quarters to the right of the leftmost place, plus those down from the topmost.
     """
 
     # Where things are in what `at` returns: out of the ball, x right and y up; what a paint's colour is
@@ -52,29 +53,32 @@ class Light:
         self._glosses = self._shades
 
     def at(self, steps: Sequence[int]) -> Floats:
-        """The light (balls, 11, pixels) on balls at these steps."""
+        """The light on balls at these steps, as an array (balls, 11, pixels); `NORMAL` to `SOFT` name the 11."""
         rows = self._rows_at(steps)
         lit: Floats = self._table[rows]
         return lit
 
     def normals(self, steps: Sequence[int]) -> Floats:
-        """Only the normals (balls, 3, pixels)."""
+        """Only the normals of `at`, as an array (balls, 3, pixels)."""
         rows = self._rows_at(steps)
         normals: Floats = self._table[rows, self.NORMAL]
         return normals
 
     def layers(self, steps: Sequence[int]) -> tuple[pygame.Surface, pygame.Surface]:
-        """The light as two columns of balls: one to multiply their paint with, which also cuts them out, one to add."""
+        """The light on balls at these steps, as two pictures of the balls below each other.
+
+        The paint is multiplied by the first, which is transparent beside the balls, and then the second is added.
+        """
         rows = self._rows_at(steps)
         return self.column(self._shades[rows]), self.column(self._glosses[rows])
 
     def column(self, pixels: Pixels) -> pygame.Surface:
-        """A picture of balls one below the other, whose pixels (balls, pixels) it shares."""
+        """A surface of balls below each other that shares the memory of `pixels`, an array (balls, pixels)."""
         side = 2 * self.half + 1
         return pygame.image.frombuffer(pixels.data.cast("B"), (side, side * len(pixels)), "BGRA")
 
     def _rows_at(self, steps: Sequence[int]) -> list[int]:
-        """The rows of these steps, those that are new worked out."""
+        """Where in the table the light for these steps stands; what is missing is worked out."""
         for step in steps:
             if step not in self._rows:
                 self._rows[step] = len(self._rows)
@@ -87,7 +91,7 @@ class Light:
         return [self._rows[step] for step in steps]
 
     def _lit(self, right: float, down: float) -> Floats:
-        """The light on a ball that is so far right and down of the middle of its pixel."""
+        """The light on a ball whose centre is `right` and `down` pixels off the middle of its pixel."""
         across = np.arange(-self.half, self.half + 1, dtype=np.float64)
         x = np.tile((across - right) / self.radius, len(across))
         y = np.repeat((down - across) / self.radius, len(across))
@@ -114,7 +118,7 @@ class Light:
 
 
 def _pixels(rgb: Floats, alpha: Floats) -> Pixels:
-    """The pixels, BGRA, of planes of colour and cover."""
+    """Colours (3, ...) from 0 to 255 and alpha from 0 to 1 as packed 32-bit pixels, BGRA."""
     pixels: Pixels = np.stack([rgb[2], rgb[1], rgb[0], alpha], axis=1).astype(np.uint8).view(np.uint32)[:, 0]
     return pixels
 
@@ -125,19 +129,22 @@ def light(radius: float) -> Light:
 
 
 def place(centre: tuple[float, float]) -> tuple[int, int, int]:
-    """The pixel that a ball's middle is nearest to, and its step there."""
+    """The pixel nearest to a ball's centre, and the step (see `Light`) of the centre in it."""
     x, right = divmod(round(centre[0] * STEPS) + STEPS // 2, STEPS)
     y, down = divmod(round(centre[1] * STEPS) + STEPS // 2, STEPS)
     return x, y, STEPS * right + down
 
 
 def offset(step: int) -> tuple[float, float]:
-    """How far right and down of the middle of its pixel a ball at this step is, in pixels."""
+    """How far right and down of the middle of its pixel a ball's centre is at this step, in pixels."""
     return step // STEPS / STEPS - 0.5, step % STEPS / STEPS - 0.5
 
 
 def _mirrored(x: Doubles, y: Doubles, z: Doubles, edge: float) -> Doubles:
-    """The lamp as the polish mirrors it to the eye straight above: its image, fading over `edge`, and a sheen."""
+    """How bright the lamp's reflection is at surface normals (x, y, z), seen from straight above.
+
+    It is the lamp's own image, whose rim fades over `edge`, and a wide sheen round it.
+    """
     up = 2.0 * z * z - 1.0
     seen_x, seen_y = (2.0 * z * part / np.maximum(up, 0.05) for part in (x, y))
     out_x = np.maximum(np.abs(seen_x - _IMAGE[0]) - _HALF[0], 0.0)
@@ -149,15 +156,16 @@ def _mirrored(x: Doubles, y: Doubles, z: Doubles, edge: float) -> Doubles:
 
 
 def _noise(count: int) -> Doubles:
-    """Less than a level up or down, so that slow shades show no bands."""
+    """Noise of less than one grey level, added so that slow gradients show no bands."""
     return np.random.default_rng(1).uniform(-_DITHER, _DITHER, count)
 
 
 @lru_cache(maxsize=128)
 def shadow(radius: float, step: int) -> tuple[pygame.Surface, int, int]:
-    """A ball's shadow: dark where it touches, soft about it, and long away from the lamp.
+    """The shadow of a ball: dark where the ball touches the cloth, soft around, long on the side away from the lamp.
 
-    With it how far to the right and down of the ball's middle pixel the picture's corner is.
+    With it come the offsets, right and down in pixels, from the ball's middle pixel to the picture's top left
+    corner.
     """
     half = math.ceil(radius * 2.4) + 1
     across = np.arange(-half, half + 1, dtype=np.float64)

@@ -1,4 +1,4 @@
-"""What is printed on balls: numbers and shapes, as small pictures of how much ink there is."""
+"""The numbers and shapes printed on balls, as small pictures of how much ink is where."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _FINE = 2
 
 
 def _ring(corners: int, size: float, turned: float = 0.0, waist: float = 1.0) -> Spots:
-    """A polygon round the middle; with a waist below 1, a star."""
+    """A polygon round the origin; with a `waist` below 1 every second corner lies that far in: a star."""
     count = corners * (1 if waist == 1.0 else 2)
     angles = (math.tau * (i / count + turned) - math.pi / 2.0 for i in range(count))
     sizes = (size * (waist if i % 2 else 1.0) for i in range(count))
@@ -60,7 +60,7 @@ _HOLES = {"pink": _ring(24, 0.22)}
 
 @lru_cache(maxsize=12)
 def pictures(marks: tuple[str, ...], radius: float) -> Picture:
-    """The ink of marks on balls of `radius` pixels, one picture after the other."""
+    """The ink of marks on balls of `radius` pixels, stacked: (marks, rows, columns), from 0 to 1."""
     pixels = 2.0 * REACH * radius
     side = max(_LARGE, _LARGE * math.ceil(_FINE * pixels / _LARGE))
     # Blurred over a pixel's width beforehand, so that one may look up just the nearest point.
@@ -69,9 +69,9 @@ def pictures(marks: tuple[str, ...], radius: float) -> Picture:
 
 @lru_cache(maxsize=256)
 def _picture(mark: str, side: int, blur: int) -> Picture:
-    """The ink of a number, or of the shape of a colour, from 0 to 1: row by row, downward; its edge is empty.
+    """The ink of one mark, a number or the name of a shape, from 0 to 1, with an empty border; "" is empty.
 
-    Without a mark all of it is empty.
+    Rows run downward.
     """
     if not mark:
         return np.zeros((side, side), np.float32)
@@ -87,7 +87,7 @@ def _picture(mark: str, side: int, blur: int) -> Picture:
 
 
 def _blurred(ink: npt.NDArray[np.float64], by: int) -> npt.NDArray[np.float64]:
-    """Each point the mean of those within `by` of it, across and down."""
+    """A picture averaged over squares of 2 `by` + 1 pixels a side."""
     if by > 0:
         for _ in range(2):
             total = np.cumsum(np.pad(ink, ((by + 1, by), (0, 0)), mode="edge"), axis=0)
@@ -96,7 +96,7 @@ def _blurred(ink: npt.NDArray[np.float64], by: int) -> npt.NDArray[np.float64]:
 
 
 def sample(pictures: Picture, which: Indices, right: Picture, up: Picture) -> Picture:
-    """The ink at points of some pictures, in radii from their middles."""
+    """The ink at points of the pictures numbered `which`; `right` and `up` are in ball radii from the middle."""
     side = pictures.shape[1]
     scale, middle = np.float32(side / (2.0 * REACH)), np.float32(side / 2.0)
     column, row = (right * scale + middle).astype(np.intp), (middle - up * scale).astype(np.intp)
@@ -115,7 +115,7 @@ def _shape(name: str) -> pygame.Surface:
 
 
 def _number(digits: str) -> pygame.Surface:
-    """The digits as large as the box lets them be; 6 and 9 stand on a line that tells them apart."""
+    """The digits, as large as the box allows; 6 and 9 are underlined, so that they can be told apart."""
     large = pygame.Surface((_LARGE, _LARGE), depth=32)
     written = text.font(_LARGE).render(digits, True, (255, 255, 255), (0, 0, 0))
     written = written.subsurface(_ink_box(written))

@@ -1,6 +1,6 @@
-"""What is painted on a ball: its colour, stripe, spots, dots, number and shape, at any points of the sphere.
+"""The paint at any points of a ball's surface: colour, stripe, spots, dots, number and shape.
 
-Points of several balls are worked out together, which costs little more than those of one.
+The points of several balls are worked out together, which costs little more than those of one.
 """
 
 from __future__ import annotations
@@ -28,23 +28,26 @@ _MATT = 0.85
 
 
 class Coat(NamedTuple):
-    """What a ball looks like before it is turned and lit."""
+    """Which paint a ball has: its look, from the preset, and the style in which balls are drawn."""
 
     look: Look
     style: Style
 
 
 class Painted(NamedTuple):
-    """The colour (balls, 3, points) from 0 to 255, and the part (balls, points) of the gloss that the paint has."""
+    """The paint at points: `color` (balls, 3, points), from 0 to 255, and `glossy` (balls, points).
+
+    `glossy` is the part of the full gloss that a point has: 1 for lacquer, less for print.
+    """
 
     color: Floats
     glossy: Floats
 
 
 def paint(coats: Sequence[Coat], places: Floats, soft: Floats, radius: float) -> Painted:
-    """The paint of balls of `radius` pixels at places (balls, 3, points) on them.
+    """The paint of balls of `radius` pixels at `places` (balls, 3, points): unit vectors in the balls' own axes.
 
-    An edge fades over one part in `soft` (balls, points) of the radius.
+    `soft` (balls, points) is how many pixels a radius on the surface spans there: edges fade over one pixel.
     """
     paints = [_paint_of(*coat) for coat in coats]
     painted = Painted(_colors(paints, places, soft), np.ones_like(soft))
@@ -67,7 +70,10 @@ def paint(coats: Sequence[Coat], places: Floats, soft: Floats, radius: float) ->
 
 
 class _Paint(NamedTuple):
-    """A ball's colour, that of its spots and caps, its ink, that of a shape; half widths of stripe and spot."""
+    """The colours of a ball: its own, the second (spots, caps), that of print, that of shapes.
+
+    `stripe` and `spot` are half widths, in radii.
+    """
 
     base: tuple[int, ...]
     second: tuple[int, ...]
@@ -87,7 +93,7 @@ def _paint_of(look: Look, style: Style) -> _Paint:
 
 
 def _colors(paints: Sequence[_Paint], places: Floats, soft: Floats) -> Floats:
-    """The ball's own colour, and the second beyond the stripe and on the spots."""
+    """The colours at points before print: the ball's own, and the second beyond the stripe and on the spots."""
     base = np.array([paint.base for paint in paints], dtype=np.float32)[:, :, None]
     other = np.array([paint.second for paint in paints], dtype=np.float32)[:, :, None] - base
     stripe = np.array([[paint.stripe] for paint in paints], dtype=np.float32)
@@ -98,7 +104,7 @@ def _colors(paints: Sequence[_Paint], places: Floats, soft: Floats) -> Floats:
 
 
 def _ink(painted: Painted, printed: Floats, inks: Sequence[tuple[int, ...]]) -> None:
-    """Lay the balls' inks on their colours as far as they are printed; print is matt."""
+    """Mix the balls' inks into their colours, as far as they are printed; print has less gloss."""
     over = np.array(inks, dtype=np.float32)[:, :, None] - painted.color
     over *= printed[:, None]
     painted.color[...] += over
@@ -106,26 +112,26 @@ def _ink(painted: Painted, printed: Floats, inks: Sequence[tuple[int, ...]]) -> 
 
 
 def _cover(inside: Floats, soft: Floats) -> Floats:
-    """How much of a pixel lies `inside` an edge, that far in radii, its slope such that it fades over a pixel."""
+    """How much of a pixel is covered whose middle lies `inside` an edge, in radii; `soft` is pixels a radius."""
     part = inside * soft
     part += 0.5
     return np.clip(part, 0.0, 1.0, out=part)
 
 
 def _off(along: Floats) -> Floats:
-    """How far from an axis a point is that lies `along` it."""
+    """The distance from an axis, in radii, of a point of the sphere whose part along the axis is `along`."""
     off: Floats = np.sqrt(np.maximum(1.0 - along * along, 0.0))
     return off
 
 
 def _shape(look: Look) -> str:
-    """The name of the shape that marks a ball's colour, or none; dots are marks enough."""
+    """The name of the shape that tells a ball's colour; "" for a dotted ball, which needs none."""
     name = theme.hue(look.color)
     return name if name in ball_marks.SHAPES and not look.dots else ""
 
 
 def _print(onto: Floats, places: Floats, marks: Mapping[int, str], axis: int, radius: float) -> None:
-    """Print marks, by the balls' indices, where an axis comes out of the ball on either side."""
+    """Add the ink of marks, given by the balls' indices, where an axis leaves the ball on either side."""
     if not marks:
         return
     count = places.shape[2]

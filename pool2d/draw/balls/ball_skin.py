@@ -1,7 +1,7 @@
-"""A ball's paint worked out once for every place on it: one that moves is looked up there, not painted anew.
+"""A ball's paint, kept for small cells all over its surface: a moving ball is looked up, not painted.
 
-The cube round the ball is cut into small cells, and those that the ball's surface runs through are numbered. A place
-on the ball tells its cell by mere rounding, whatever the ball; a skin is one paint for each cell.
+The cube round the ball is cut into cells, and those that the surface runs through are numbered. A point of the
+surface finds its cell by rounding its coordinates; a skin is an array of one colour for each cell.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _FINE, _MOST = 2, 96
 
 
 class Cells:
-    """The cells of balls of `radius` pixels."""
+    """The numbered cells of a ball of `radius` pixels."""
 
     def __init__(self, radius: float) -> None:
         self.radius = radius
@@ -43,9 +43,9 @@ class Cells:
         self.places: Floats = places / far.reshape(-1)[near]
 
     def numbers(self, turns: Floats, normals: Floats) -> npt.NDArray[np.intp]:
-        """The cells (balls, points) of points that are seen at `normals` (balls, 3, points).
+        """The numbers (balls, points) of the cells seen at the normals (balls, 3, points).
 
-        `turns` (balls, 3, 3) are the matrices by which the balls have turned.
+        `turns` (balls, 3, 3) are the rotation matrices of the balls.
         """
         half = 0.5 * self.side
         # Turned back: the transposed matrix. No normal is longer than 1 but for rounding, for which there is room.
@@ -68,12 +68,12 @@ _KEPT = 40
 
 
 def known(coat: Coat, radius: float) -> bool:
-    """Whether the skin of such a ball is there already."""
+    """Whether the skin of a coat at a radius, in pixels, has been made."""
     return (coat, radius) in _skins
 
 
 def skin(coat: Coat, radius: float) -> Skin:
-    """The skin of a ball of `radius` pixels."""
+    """The skin of a coat for balls of `radius` pixels; made once, then remembered."""
     found = _skins.get((coat, radius))
     if found is None:
         found = _skins[coat, radius] = _made(coat, radius)
@@ -92,7 +92,7 @@ def _made(coat: Coat, radius: float) -> Skin:
 
 
 def pictures(coats: Sequence[Coat], radius: float, steps: Sequence[int], turns: Floats) -> list[pygame.Surface]:
-    """Balls of one radius in the light, each at its step and with the matrix (3, 3) by which it has turned."""
+    """Pictures of lit balls of one radius, in pixels, from their skins, by steps and rotation matrices (3, 3)."""
     lamp = light(radius)
     numbers = cells(radius).numbers(turns, lamp.normals(steps))
     pixels = np.empty(numbers.shape, dtype=np.uint32)

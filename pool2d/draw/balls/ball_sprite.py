@@ -1,6 +1,6 @@
-"""The picture of a ball: each pixel is a point of the sphere, which turned back as the ball has turned tells its paint.
+"""The picture of a ball: each of its pixels is a point of the sphere, which the orientation turns back to its paint.
 
-All balls of one size are worked out together, which costs little more than one alone.
+All balls of one radius are worked out together, which costs little more than one alone.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ LEVELS = 15
 
 
 class Sprite(NamedTuple):
-    """What a picture depends on: the radius in pixels, the step of `ball_light`, the orientation in any unit.
+    """All that a ball's picture depends on.
 
-    One that need not be `fine` may be looked up in the ball's skin: quick, for a moment good enough, and never
-    see-through.
+    The radius is in pixels, the step that of `ball_light.Light`, the orientation a quaternion of any length. One
+    that is not `fine` may be looked up in the ball's skin: faster, a little rough, and never transparent.
     """
 
     coat: Coat
@@ -36,7 +36,7 @@ class Sprite(NamedTuple):
 
 
 def render(sprites: Sequence[Sprite], fine: bool) -> list[pygame.Surface]:
-    """The pictures of balls of one radius, painted for themselves or looked up in the balls' skins."""
+    """The pictures of sprites of one radius: painted anew where `fine`, else looked up in the balls' skins."""
     radius, steps = sprites[0].radius, [sprite.step for sprite in sprites]
     coats = [sprite.coat for sprite in sprites]
     turns = np.array([matrix(sprite.orientation) for sprite in sprites], dtype=np.float32)

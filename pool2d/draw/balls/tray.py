@@ -1,4 +1,4 @@
-"""Balls that have fallen: on their way down into the hole, and in a row above the table."""
+"""Pocketed balls: sinking into the hole, and then in a row above the table."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _RADIUS, _PITCH = 0.36, 2.3
 
 
 def sinking(fall: Fall, ball: Placed) -> Placed:
-    """A ball on its way down: smaller and darker, as the hole behind it is."""
+    """How to draw a ball that sinks into a pocket: smaller and darker the deeper it is."""
     return ball._replace(
         radius=ball.radius * (1.0 - _SHRINK * fall.depth),
         alpha=round(255.0 * (1.0 - _DARKEN * fall.depth**1.5)),
@@ -35,7 +35,7 @@ def draw(
     style: theme.Style,
     orientation: Quaternion = FACING,
 ) -> None:
-    """Draw balls side by side in the middle of `room`, closer together where they are many; all lie alike."""
+    """Draw balls in a row in the middle of `room`, in pixels, closer together where they are many, all facing alike."""
     if not looks:
         return
     radius = room.height * _RADIUS
