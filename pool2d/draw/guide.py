@@ -11,7 +11,7 @@ import pygame
 from ..config.settings import GUIDES
 from ..physics.motion import Motion
 from ..physics.rollout import Event, Rollout
-from ..physics.values import POCKETED, SLIDING, Ball
+from ..physics.values import POCKETED, SLIDING, Ball, EventKind
 from ..table.furniture import Look
 from ..table.table import Table
 from . import pen, theme
@@ -26,7 +26,7 @@ EVENTS = 25
 _AFTER = 0.6
 # How far a line is lighter than its ball, from the ball's own colour to white.
 _LIFT = 0.35
-_MEETINGS = ("ball_ball", "ball_cushion", "ball_pocket", "cluster")
+_MEETINGS: tuple[EventKind, ...] = ("ball_ball", "ball_cushion", "ball_pocket", "cluster")
 
 Line = list[tuple[float, float]]
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from ..physics.motion import Motion
 from ..physics.rollout import Event, Rollout
-from ..physics.values import Ball
+from ..physics.values import MISCUE, Ball
 from ..table.table import Table
 from .rules.corners import corner_of, lines
 from .rules.report import BALL, FROZEN, POCKET, RAIL, Call, Contact, Report
@@ -138,7 +138,7 @@ class _Reader:
 
     def stroke(self, first: Iterable[str], touching: tuple[str, ...], when: float) -> Iterator[str]:
         """What was wrong with the stroke, as far as it can be seen."""
-        if any(event.kind == "cue_ball" and event.where == "miscue" for event in self.rollout.events):
+        if any(event.kind == "cue_ball" and event.where == MISCUE for event in self.rollout.events):
             yield "miscue"
         if when <= TIP_TIME and any(ball not in touching and self.full(ball, when) for ball in first):
             yield "double-hit"

@@ -11,6 +11,7 @@ from typing import Protocol
 
 from .motion import Motion
 from .roots import falling_root, first_root
+from .values import EventKind
 
 # How far two surfaces may enter each other before they count as met, m.
 SKIN = 5e-10
@@ -27,7 +28,7 @@ class Element(Protocol):
     `kind` is the kind of event, `name` what its `where` says.
     """
 
-    kind: str
+    kind: EventKind
     name: str
 
     def time(self, motion: Motion, reach: float, end: float) -> float:
@@ -57,7 +58,7 @@ class Element(Protocol):
 class Rail:
     """A straight nose from (ax, ay) to (bx, by), with the table on its left."""
 
-    kind = "ball_cushion"
+    kind: EventKind = "ball_cushion"
 
     def __init__(self, name: str, ax: float, ay: float, bx: float, by: float) -> None:
         self.name = name
@@ -90,7 +91,7 @@ class Rail:
 class Jaw:
     """A rounded end of a cushion: a circle of `radius` in plan."""
 
-    kind = "ball_cushion"
+    kind: EventKind = "ball_cushion"
 
     def __init__(self, name: str, x: float, y: float, radius: float) -> None:
         self.name = name
@@ -117,7 +118,7 @@ class Jaw:
 class Pocket:
     """The rim over which a ball falls: it drops when its centre is above the rim."""
 
-    kind = "ball_pocket"
+    kind: EventKind = "ball_pocket"
 
     def __init__(self, name: str, x: float, y: float, radius: float) -> None:
         self.name = name

@@ -12,7 +12,7 @@ import math
 
 from .body import Body
 from .params import Cloth
-from .values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING, Ball
+from .values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING, Ball, Phase
 
 # Below this a slip or a speed is rounding, m/s.
 STILL = 1e-9
@@ -29,7 +29,7 @@ class Motion:
     __slots__ = ("id", "phase", "t0", "t1", "x", "y", "vx", "vy", "hx", "hy", "wx", "wy", "wz", "bx", "by", "bz")
 
     def __init__(
-        self, body: Body, phase: str, t0: float, t1: float,
+        self, body: Body, phase: Phase, t0: float, t1: float,
         hx: float = 0.0, hy: float = 0.0, bx: float = 0.0, by: float = 0.0, bz: float = 0.0,
     ) -> None:  # fmt: skip
         self.id = body.id

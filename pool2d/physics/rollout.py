@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from .motion import Motion
-from .values import MOTION_FIELDS, Ball, Layout
+from .values import MOTION_FIELDS, Ball, EventKind, Layout
 
 
 class Event:
@@ -26,7 +26,7 @@ class Event:
     def __init__(
         self,
         t: float,
-        kind: str,
+        kind: EventKind,
         where: str | None,
         old: list[Motion],
         new: list[Motion],

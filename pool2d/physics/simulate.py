@@ -13,10 +13,12 @@ from .detect import time_ball_ball
 from .motion import Motion, finish, pocketed, start
 from .rollout import Event, Rollout
 from .strike import strike
-from .values import POCKETED, ROLLING, SLIDING, SPINNING, Ball, Layout, Shot
+from .values import MISCUE, POCKETED, ROLLING, SLIDING, SPINNING, Ball, EventKind, Layout, Phase, Shot
 
 # Far above what any shot takes (a break takes some hundreds).
 BUDGET = 50_000
+# The event with which a phase ends by itself.
+_ENDS: dict[Phase, EventKind] = {SLIDING: "sliding_rolling", ROLLING: "rolling_resting", SPINNING: "spin_end"}
 
 
 class Field(Surroundings, Protocol):
@@ -100,7 +102,7 @@ class _World:
         body = self.bodies[self.index[shot.ball]]
         if shot.speed > 0.0:
             clean = strike(body, shot, self.physics.cue)
-            self.record("cue_ball", None if clean else "miscue", [body])
+            self.record("cue_ball", None if clean else MISCUE, [body])
 
     def advance(self, look: bool = False) -> bool:
         """Carry out the next event; False where there is none. `look` only tells whether there is."""
@@ -126,8 +128,7 @@ class _World:
                 self.follow(i, motion)
                 self.predict(i)
                 return
-            kind = "sliding_rolling" if phase == SLIDING else "spin_end" if phase == SPINNING else "rolling_resting"
-            self.record(kind, None, [body], [motion])
+            self.record(_ENDS[phase], None, [body], [motion])
             return
         self.motion[i].move(body, self.now)
         element = self.elements[-2 - other] if other < 0 else None
@@ -148,7 +149,8 @@ class _World:
         for motion in met.pressed:
             self.follow(self.index[motion.id], motion)
         bodies = {body.index: body for pair in met.pairs for body in pair} | {body.index: body for body, _ in met.rails}
-        kind = "cluster" if len(met.pairs) + len(met.rails) > 1 else "ball_ball" if met.pairs else "ball_cushion"
+        one: EventKind = "ball_ball" if met.pairs else "ball_cushion"
+        kind = "cluster" if len(met.pairs) + len(met.rails) > 1 else one
         where = ", ".join(dict.fromkeys(name for _, name in met.rails)) or None
         pairs = tuple((a.id, b.id) for a, b in met.pairs)
         rails = tuple((body.id, name) for body, name in met.rails)
@@ -156,7 +158,7 @@ class _World:
 
     def record(
         self,
-        kind: str,
+        kind: EventKind,
         where: str | None,
         bodies: list[Body],
         new: list[Motion] | None = None,

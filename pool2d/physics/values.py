@@ -5,15 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 from ..errors import InputError
 
-RESTING = "resting"
-SPINNING = "spinning"
-ROLLING = "rolling"
-SLIDING = "sliding"
-POCKETED = "pocketed"
+Phase = Literal["resting", "spinning", "rolling", "sliding", "pocketed"]
+RESTING: Final = "resting"
+SPINNING: Final = "spinning"
+ROLLING: Final = "rolling"
+SLIDING: Final = "sliding"
+POCKETED: Final = "pocketed"
+
+# What happens in a shot: contacts first, then changes of phase.
+EventKind = Literal[
+    "cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster", "sliding_rolling", "rolling_resting", "spin_end"
+]
+# What `where` says of a "cue_ball" event whose tip has slipped.
+MISCUE: Final = "miscue"
 
 
 class Ball(NamedTuple):
@@ -37,7 +45,7 @@ class Ball(NamedTuple):
     wx: float = 0.0
     wy: float = 0.0
     wz: float = 0.0
-    phase: str = RESTING
+    phase: Phase = RESTING
     radius: float | None = None
     mass: float | None = None
 

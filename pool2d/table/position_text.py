@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from urllib.parse import quote, unquote
 
 from ..errors import InputError
-from ..physics.values import POCKETED, RESTING, Ball, Layout, Shot
+from ..physics.values import POCKETED, RESTING, Ball, Layout, Phase, Shot
 from .placing import MOST_BALLS, RANGES, check_id
 from .table import Table
 
@@ -119,7 +119,7 @@ def _ball(name: str, text: str, word: str, source: str) -> Ball:
         if key is None or key in own:
             raise InputError(source, "word", word, "allowed is ball@x,y and then r and a radius, m and a mass")
         own[key] = _number(part[1:], key, word, source)
-    phase = POCKETED if text.endswith("!") else RESTING
+    phase: Phase = POCKETED if text.endswith("!") else RESTING
     check_id(name, source, f"ball in {word}")
     return Ball(name, _number(x, "x", word, source), _number(y, "y", word, source), phase=phase, **own)
 

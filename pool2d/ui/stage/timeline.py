@@ -9,6 +9,7 @@ import pygame
 
 from ...draw import pen, text, theme
 from ...physics.rollout import Event
+from ...physics.values import EventKind
 from ...table.table import Table
 from ..screen import Screen
 from ..widgets.widget import plate
@@ -19,7 +20,7 @@ from .playback import Playback
 Pos = tuple[int, int]
 
 # The colour of an event's mark; contacts stand out, changes of phase are short and quiet.
-COLORS: dict[str, theme.Color] = {
+COLORS: dict[EventKind, theme.Color] = {
     "cue_ball": (126, 190, 255),
     "ball_ball": theme.ACCENT,
     "cluster": (255, 146, 84),
@@ -174,7 +175,8 @@ class Timeline:
             places = (round(self.x_of(event.t, shown)) for event in shown.rollout.events
                       if (event.kind if event.kind in COLORS else None) == kind)  # fmt: skip
             for place, _ in groupby(places):
-                _mark(surface, place, track, unit * (5 if kind else 3) // 4, COLORS.get(kind or "", theme.QUIET))
+                color = COLORS[kind] if kind else theme.QUIET
+                _mark(surface, place, track, unit * (5 if kind else 3) // 4, color)
         if pointed is not None:
             at = self.x_of(pointed.t, shown)
             pen.ring(surface, theme.TEXT, (at, track.centery), unit * 0.9, 1.4)

@@ -6,18 +6,18 @@ import math
 from string import digits
 
 from ...physics.rollout import Event, Rollout
-from ...physics.values import POCKETED, Ball
+from ...physics.values import MISCUE, POCKETED, Ball, EventKind
 from ...table.table import Table
 from .keys import KEYS
 from .words import known, number, say, say_or
 
-CONTACTS = ("cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster")
+CONTACTS: tuple[EventKind, ...] = ("cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster")
 _STILL = 1e-6
 
 
 def title(event: Event, cue: str) -> str:
     """What happened, to which balls and where; `cue` is the cue ball."""
-    if event.where == "miscue":
+    if event.where == MISCUE:
         return say("event.miscue")
     balls = [ball_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
     where, every = place_name(event.where or ""), ", ".join(balls)
@@ -28,7 +28,7 @@ def title(event: Event, cue: str) -> str:
 
 def missed(rollout: Rollout) -> bool:
     """Whether the tip slipped off the ball."""
-    return any(event.where == "miscue" for event in rollout.events)
+    return any(event.where == MISCUE for event in rollout.events)
 
 
 def measures(event: Event, table: Table) -> str:
