@@ -31,6 +31,7 @@ from pool2d.game.rules import GAMES
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
 from pool2d.ui.app import App
+from pool2d.ui.frame import Frame
 from pool2d.ui.play.play import Play
 from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.stage.bars import CachedBars
@@ -118,7 +119,7 @@ class Monkey:
 
     def place(self) -> tuple[int, int]:
         """Somewhere on the window, or a little beside it, as a drag may end."""
-        width, height = self.app.surface.get_size()
+        width, height = self.app.window.surface.get_size()
         beside = 5 if self.rng.random() < 0.05 else 0
         return self.rng.randrange(-beside, width + beside), self.rng.randrange(-beside, height + beside)
 
@@ -197,7 +198,7 @@ class Monkey:
 
     def cover(self) -> None:
         """What the system tells where another window has hidden this one, and spoiled it."""
-        self.app.surface.fill("red")
+        self.app.window.surface.fill("red")
         self.post(pygame.VIDEOEXPOSE)
 
     def compare(self) -> None:
@@ -205,18 +206,18 @@ class Monkey:
         scene = self.app.scene
         if not isinstance(scene, Play | Replay) or scene.playback is None:
             return
-        if canvas(self.app.surface) is not self.app.surface:
+        if canvas(self.app.window.surface) is not self.app.window.surface:
             # So small a window is never drawn on in parts.
             return
         for _ in range(3):
             self.app.step(1.0 / 60.0)
             if self.app.scene is not scene or not scene.stage.still or self.app.toasts.notes:
                 return
-            seen = pygame.image.tobytes(self.app.surface, "RGB")
+            seen = pygame.image.tobytes(self.app.window.surface, "RGB")
             # Bars that are kept would say the same again.
             scene.stage.bars = CachedBars()
-            scene.draw(self.app.surface)
-            assert pygame.image.tobytes(self.app.surface, "RGB") == seen, "something was left over on the window"
+            scene.draw(Frame(self.app.window.surface))
+            assert pygame.image.tobytes(self.app.window.surface, "RGB") == seen, "something was left over on the window"
             self.compared += 1
 
 

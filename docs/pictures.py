@@ -44,7 +44,7 @@ def draw(scene: Scene, size: tuple[int, int]) -> pygame.Surface:
     pygame.event.clear()
     scene.go(Hand(app))
     settle(app)
-    picture = app.surface.copy()
+    picture = app.window.surface.copy()
     app.close()
     return picture
 

@@ -21,7 +21,7 @@ FLOORS = (
     ("pool2d.game.rules",),
     ("pool2d.game",),
     ("pool2d.sound", "pool2d.draw"),
-    ("pool2d.ui", "pool2d.ui.scene", "pool2d.ui.screen"),
+    ("pool2d.ui", "pool2d.ui.frame", "pool2d.ui.scene", "pool2d.ui.screen"),
     ("pool2d.ui.wording",),
     ("pool2d.ui.widgets",),
     ("pool2d.ui.dialogs",),

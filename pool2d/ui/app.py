@@ -2,35 +2,27 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from operator import attrgetter
 
 import pygame
 
-from ..config.folders import pictures_folder
 from ..config.settings import GUIDES, Settings, Store
 from ..draw import text
 from ..draw.effects import effects_of, style_of
-from ..draw.export import picture_file
 from ..errors import InputError, suggest
 from ..game.session import practice
-from ..printable import printable
 from ..sound.mixer import Sounds
 from ..table.preset import load_table
 from ..table.table import Table
 from ..table.watcher import WATCH, PresetWatcher
-from .dialogs.dialog import Dialog, bottom_scene
 from .dialogs.help import Help
 from .dialogs.options import OFFERED, OptionsPage
 from .menus.drill_list import DrillList
 from .menus.lobby import Lobby
-from .menus.menu import Menu
 from .play.play import Play
-from .replay.replay_scene import Replay
 from .scene import Scene
 from .toasts import Toasts
-from .window import LARGEST, SIZE, canvas, open_window, set_mode
+from .window import LARGEST, SIZE, Window, open_window
 from .wording import ruling_text, words
 from .wording.keyboard import KEYBOARD
 from .wording.keys import KEYS, Presses, action_of
@@ -58,29 +50,21 @@ class App:
         menu: bool = False,
     ) -> None:
         self.store = store or Store()
-        self.surface = surface or open_window(size, self.store.values.screen.full)
-        self.size = size
+        self.window = Window(surface or open_window(size, self.store.values.screen.full), size)
         pygame.key.set_repeat(300, 30)
         self._presses = Presses()
         KEYBOARD.read()
         KEYS.lay()
-        self._caption = ""
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
+        self.play.entered = self._follow
         self.toasts = Toasts()
-        # What keys open over the table and over the menus alike.
-        self._pages: dict[str | None, Callable[[Scene], Scene]] = {
-            "options": lambda below: OptionsPage(below, self.store),
-            "drills": lambda below: DrillList(below, self.play),
-            "help": Help,
-        }
         self._files = PresetWatcher(table)
-        self._came: list[pygame.event.Event] = []
         self._unsaved = 0.0
         # Whether what rests on the screen has been drawn as it rests.
         self._drawn = False
-        # The scene that the window shows as it was drawn last, with nothing else over it; None where that is not sure.
-        self._shown: Scene | None = None
+        # The scene that was laid out last, and for which size.
+        self._laid_out: tuple[Scene, tuple[int, int]] | None = None
         self._take_names()
         self.store.listeners.append(self._apply)
         self._apply()
@@ -104,21 +88,22 @@ class App:
 
         A window that rests is not drawn again until an event comes, or `redraw` is called.
         """
-        came, self._came = self._came, []
-        for event in map(KEYS.understood, [*came, *pygame.event.get()]):
+        for event in map(KEYS.understood, self.window.events()):
             if self._presses.idle(event):
                 continue
             self.redraw()
+            self._arrive()
             if event.type == pygame.QUIT:
                 self.scene = None
-            elif not self._window(event) and self.scene is not None:
-                self._hand(event, self.scene)
+            elif self.scene is not None and not self._is_for_window(event, self.scene):
+                self.scene = self.scene.handle(event)
+                self._arrive(event.type == pygame.KEYDOWN)
         if self.scene is not None:
             self.scene = self.scene.update(dt)
         if self.scene is None:
             self._save()
             return False
-        self._follow()
+        self._arrive()
         self._watch(dt)
         self._keep(dt)
         self.toasts.update(dt)
@@ -126,27 +111,29 @@ class App:
             self._draw(self.scene)
             self._drawn = self._still
         # Not only when it is drawn: a table may have come without any event.
-        self._name()
+        self._name(self.scene)
         return True
+
+    def _arrive(self, by_key: bool = False) -> None:
+        """Before anything else reaches it, let a scene that has just come know, and lay it out for the window."""
+        scene, size = self.scene, self.window.room
+        if scene is None or (scene, size) == self._laid_out:
+            return
+        if self._laid_out is None or scene is not self._laid_out[0]:
+            scene.enter(by_key)
+        self._laid_out = (scene, size)
+        self.window.frame.forget()
+        scene.lay_out(size)
 
     def _draw(self, scene: Scene) -> None:
         """Draw the scene, with notes over it, and present what has changed on the window."""
-        on = canvas(self.surface)
-        changed = scene.draw(on, kept=scene is self._shown and on is self.surface)
-        self.toasts.draw(on)
-        if on is not self.surface:
-            self.surface.blit(on, (0, 0))
-        self._shown = None if self.toasts.notes else scene
-        if changed is None or self.toasts.notes:
-            pygame.display.flip()
-        else:
-            pygame.display.update(changed)
-
-    def _hand(self, event: pygame.event.Event, scene: Scene) -> None:
-        """Let the scene take an event. A key that leads back to the table does not also strike, pressed twice."""
-        self.scene = scene.handle(event)
-        if event.type == pygame.KEYDOWN and self.scene is not scene and isinstance(self.scene, Play):
-            self.scene.hands.armed = False
+        frame = self.window.begin()
+        scene.lay_out(frame.size)
+        scene.draw(frame)
+        if self.toasts.notes:
+            self.toasts.draw(frame.surface)
+            frame.cover()
+        self.window.present()
 
     def run(self, frames: int | None = None) -> None:
         """Play until the player quits, or for a number of frames."""
@@ -169,12 +156,9 @@ class App:
 
     def _rest(self) -> None:
         """Do nothing until an event comes, or until the files are to be looked at again."""
-        event = pygame.event.wait(round(1000 * WATCH))
-        if event.type == pygame.NOEVENT:
+        if not self.window.wait(WATCH):
             self._watch(WATCH)
             self._keep(WATCH)
-        else:
-            self._came.append(event)
 
     def close(self) -> None:
         self._save()
@@ -185,15 +169,15 @@ class App:
 
     # The window.
 
-    def _window(self, event: pygame.event.Event) -> bool:
-        """Whether an event was about the window itself, which is then done."""
-        if event.type in (pygame.VIDEORESIZE, pygame.VIDEOEXPOSE):
-            self._shown = None
+    def _is_for_window(self, event: pygame.event.Event, scene: Scene) -> bool:
+        """Whether an event is about the window itself, whatever it shows; what it asks for is then done."""
+        if event.type == pygame.VIDEOEXPOSE:
+            self.window.frame.forget()
         if event.type == pygame.VIDEORESIZE:
             self._resized()
             return True
         # What is typed into a field, or bound to an action, means nothing to the window.
-        if event.type != pygame.KEYDOWN or (isinstance(self.scene, Dialog) and self.scene.typing):
+        if event.type != pygame.KEYDOWN or scene.takes_text:
             return False
         action = action_of(event.key, getattr(event, "mod", 0))
         if action == "fullscreen":
@@ -205,53 +189,43 @@ class App:
             self.sounds.click()
             silent = self.sounds.muted
             self.toast(say("window.sound_off", key=KEYS.shown("mute")) if silent else say("window.sound_on"))
-        elif action in self._pages and isinstance(self.scene, Play | Menu):
-            # The hands leave the table, as they do when the window is left.
-            self.scene.handle(pygame.event.Event(pygame.WINDOWFOCUSLOST))
-            self.scene = self._pages[action](self.scene)
+        elif scene.opens_pages and (page := self._page(action, scene)) is not None:
+            scene.leave()
+            self.scene = page
         else:
             return False
         return True
 
+    def _page(self, action: str | None, below: Scene) -> Scene | None:
+        """The page that a key opens over the table and over the menus alike, if it opens one."""
+        if action == "options":
+            return OptionsPage(below, self.store)
+        if action == "drills":
+            return DrillList(below, self.play)
+        return Help(below) if action == "help" else None
+
     def _resized(self) -> None:
-        self.surface = pygame.display.get_surface() or self.surface
-        if not self._full:
-            self.size = self.surface.get_size()
-            for name, pixels in zip(("screen.width", "screen.height"), self.size, strict=True):
+        self.window.resized()
+        if not self.window.full:
+            for name, pixels in zip(("screen.width", "screen.height"), self.window.size, strict=True):
                 self.store.turn(name, min(pixels, LARGEST))
 
-    @property
-    def _full(self) -> bool:
-        return bool(self.surface.get_flags() & pygame.FULLSCREEN)
-
     def _screenshot(self) -> None:
-        path = pictures_folder() / time.strftime("pool2d-%Y%m%d-%H%M%S.png")
-        for number in range(2, 100):
-            if not path.exists():
-                break
-            path = path.with_stem(f"{path.stem.partition('_')[0]}_{number}")
         try:
-            picture_file.save(self.surface, path)
-            self.toast(say("window.picture_saved", path=path))
+            self.toast(say("window.picture_saved", path=self.window.screenshot()))
         except InputError as error:
             self.toast(say("window.picture_failed", reason=error), wrong=True)
 
-    def _follow(self) -> None:
+    def _follow(self, play: Play) -> None:
         """Settings and files are for the table that is on the screen."""
-        if isinstance(self.scene, Play) and self.scene is not self.play:
-            self.play = self.scene
+        if play is not self.play:
+            self.play = play
             self._apply()
 
-    def _name(self) -> None:
+    def _name(self, scene: Scene) -> None:
         """Name the window after the table that is seen."""
-        seen = bottom_scene(self.scene) if self.scene is not None else None
-        # What is played on, also before it is drawn for the first time.
-        played = seen if isinstance(seen, Play) else self.play
-        table = seen.stage.table if isinstance(seen, Replay) else played.session.table
-        caption = f"pool2d \N{EN DASH} {ruling_text.table_title(table)}"
-        if caption != self._caption:
-            self._caption = caption
-            pygame.display.set_caption(printable(caption, 200))
+        title = ruling_text.table_title(scene.table or self.play.session.table)
+        self.window.name(f"pool2d \N{EN DASH} {title}")
 
     # The settings.
 
@@ -267,13 +241,11 @@ class App:
         self.play.effects = effects_of(values)
         self.play.stage.style = style_of(values)
         if self.play.tuning is not None:
-            self.play.tuning.lay_out()
+            self.play.tuning.fill()
         self.sounds.volume = values.sound.volume
         self.sounds.mute(values.sound.mute)
         self._unsaved = 0.0
-        if values.screen.full != self._full:
-            self.surface = set_mode(self.size, values.screen.full)
-            self._shown = None
+        self.window.full = values.screen.full
 
     def _take_keys(self) -> None:
         """Bind the keys that the player has bound, and drop what is wrong among them."""

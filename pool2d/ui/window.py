@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import os
 import time
+from pathlib import Path
 
 import pygame
 
 from .._version import __version__
+from ..config.folders import pictures_folder
 from ..config.settings import Store
 from ..draw import shapes, text, theme
+from ..draw.export import picture_file
+from ..printable import printable
+from .frame import Frame
 
 SIZE = (1280, 720)
 # Below this nobody can read anything; the window does not open smaller.
@@ -61,6 +66,94 @@ def canvas(window: pygame.Surface) -> pygame.Surface:
     if width >= LEAST[0] and height >= LEAST[1]:
         return window
     return pygame.Surface((max(width, LEAST[0]), max(height, LEAST[1])))
+
+
+class Window:
+    """The window and what is drawn on it; `size` is what it has when it does not fill the screen.
+
+    `surface` is the window's own. What is drawn on is `frame`, a larger one where the window is too small.
+    """
+
+    def __init__(self, surface: pygame.Surface, size: tuple[int, int]) -> None:
+        self.surface = surface
+        self.size = size
+        self.frame = Frame(canvas(surface))
+        self._caption = ""
+        # Events that came while nothing was to be done.
+        self._came: list[pygame.event.Event] = []
+
+    @property
+    def full(self) -> bool:
+        """Whether it fills the screen."""
+        return bool(self.surface.get_flags() & pygame.FULLSCREEN)
+
+    @full.setter
+    def full(self, full: bool) -> None:
+        if full != self.full:
+            self.surface = set_mode(self.size, full)
+            self.frame.forget()
+
+    @property
+    def room(self) -> tuple[int, int]:
+        """The size that things are laid out for, in pixels."""
+        width, height = self.surface.get_size()
+        return max(width, LEAST[0]), max(height, LEAST[1])
+
+    def resized(self) -> None:
+        """Take the size that the system has given the window."""
+        self.surface = pygame.display.get_surface() or self.surface
+        self.frame.forget()
+        if not self.full:
+            self.size = self.surface.get_size()
+
+    def name(self, caption: str) -> None:
+        """Give the window a caption."""
+        if caption != self._caption:
+            self._caption = caption
+            pygame.display.set_caption(printable(caption, 200))
+
+    def screenshot(self) -> Path:
+        """Save a picture of the window under the time of day; raises InputError where that cannot be."""
+        path = pictures_folder() / time.strftime("pool2d-%Y%m%d-%H%M%S.png")
+        for number in range(2, 100):
+            if not path.exists():
+                break
+            path = path.with_stem(f"{path.stem.partition('_')[0]}_{number}")
+        picture_file.save(self.surface, path)
+        return path
+
+    # What comes from it, and what is shown on it.
+
+    def events(self) -> list[pygame.event.Event]:
+        """What has come since this was asked last."""
+        came, self._came = self._came, []
+        return [*came, *pygame.event.get()]
+
+    def wait(self, seconds: float) -> bool:
+        """Do nothing until an event comes, which is kept, or the time is over; whether one came."""
+        event = pygame.event.wait(round(1000 * seconds))
+        if event.type == pygame.NOEVENT:
+            return False
+        self._came.append(event)
+        return True
+
+    def begin(self) -> Frame:
+        """The frame to draw the next picture on."""
+        on = canvas(self.surface)
+        if on is not self.frame.surface:
+            self.frame = Frame(on)
+        self.frame.begin()
+        return self.frame
+
+    def present(self) -> None:
+        """Let be seen what has changed."""
+        if self.frame.surface is not self.surface:
+            self.surface.blit(self.frame.surface, (0, 0))
+            self.frame.cover()
+        if self.frame.changed is None:
+            pygame.display.flip()
+        else:
+            pygame.display.update(self.frame.changed)
 
 
 class Splash:

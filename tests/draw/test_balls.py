@@ -192,7 +192,7 @@ def test_the_style_of_a_stage_is_the_style_of_its_balls(hand: Hand) -> None:
     def shot() -> bytes:
         hand.app.redraw()
         hand.app.step(0.0)
-        return pixels(hand.app.surface)
+        return pixels(hand.app.window.surface)
 
     plain = shot()
     hand.play.stage.style = Style(theme.COLOR_BLIND, patterned=True)
@@ -210,12 +210,14 @@ def test_a_ball_falls_in_sight_and_lies_in_the_tray(hand: Hand) -> None:
     tray = play.stage.screen.tray
 
     def in_tray() -> bool:
-        return bool((pygame.surfarray.array3d(hand.app.surface.subsurface(tray)).max(axis=2) > 120).any())
+        return bool((pygame.surfarray.array3d(hand.app.window.surface.subsurface(tray)).max(axis=2) > 120).any())
 
     def near_hole() -> float:
         x, y = play.stage.view.to_screen(hole.x, hole.y)
         return float(
-            pygame.surfarray.array3d(hand.app.surface)[round(x) - 9 : round(x) + 9, round(y) - 9 : round(y) + 9].max()
+            pygame.surfarray.array3d(hand.app.window.surface)[
+                round(x) - 9 : round(x) + 9, round(y) - 9 : round(y) + 9
+            ].max()
         )
 
     hand.app.step(0.0)
@@ -258,7 +260,7 @@ def test_a_resting_table_looks_the_same_frame_after_frame(hand: Hand) -> None:
     hand.key(pygame.K_SPACE)
     hand.wait_for_rest()
     hand.app.step(0.0)
-    before = pixels(hand.app.surface)
+    before = pixels(hand.app.window.surface)
     for _ in range(3):
         hand.app.step(0.0)
-    assert pixels(hand.app.surface) == before
+    assert pixels(hand.app.window.surface) == before

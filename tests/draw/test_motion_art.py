@@ -167,15 +167,15 @@ def test_the_arrow_of_the_cue_starts_where_the_tip_meets_the_ball() -> None:
 
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080)])
 def test_v_shows_the_arrows_and_a_legend_clear_of_the_cloth(hand: Hand, size: tuple[int, int]) -> None:
-    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     hand.app.step(0.0)
-    legend = draw_legend(hand.app.surface, hand.play.stage.screen)
+    legend = draw_legend(hand.app.window.surface, hand.play.stage.screen)
     assert pygame.Rect(hand.play.stage.screen.table).contains(legend)
     assert legend.right <= hand.play.stage.view.to_screen(0.0, 0.0)[0]
     hand.point(1.7, 0.3)
-    plain = pygame.image.tobytes(hand.app.surface, "RGB")
+    plain = pygame.image.tobytes(hand.app.window.surface, "RGB")
     hand.key(pygame.K_v)
     assert hand.play.vectors
-    assert pygame.image.tobytes(hand.app.surface, "RGB") != plain
+    assert pygame.image.tobytes(hand.app.window.surface, "RGB") != plain
     hand.key(pygame.K_v)
     assert not hand.play.vectors

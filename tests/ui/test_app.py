@@ -52,7 +52,7 @@ def test_without_a_display_it_says_so_in_one_line(driver: str) -> None:
 
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (800, 1000), (320, 200)])
 def test_the_table_is_to_scale_and_inside_the_window(hand: Hand, size: tuple[int, int]) -> None:
-    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     hand.app.step(0.0)
     view = hand.play.stage.view
     left, bottom = view.to_screen(0.0, 0.0)
@@ -103,7 +103,7 @@ def test_a_window_at_rest_waits_and_takes_what_it_waited_for(hand: Hand, monkeyp
     ])  # fmt: skip
     hand.app.step(0.0)
     frames: list[pygame.Surface] = []
-    monkeypatch.setattr(hand.play, "draw", lambda surface, kept: frames.append(surface))
+    monkeypatch.setattr(hand.play, "draw", frames.append)
     monkeypatch.setattr(pygame.event, "wait", lambda timeout: next(waits))
     hand.app.run()
     assert hand.play.hands.aim.angle == pytest.approx((angle + 0.05) % 360.0)
@@ -126,10 +126,10 @@ def test_a_window_where_balls_run_does_not_wait(hand: Hand, monkeypatch: pytest.
 
 def test_full_screen_and_back(hand: Hand) -> None:
     hand.key(pygame.K_F11)
-    assert hand.app.surface.get_flags() & pygame.FULLSCREEN
+    assert hand.app.window.surface.get_flags() & pygame.FULLSCREEN
     hand.key(pygame.K_F11)
-    assert not hand.app.surface.get_flags() & pygame.FULLSCREEN
-    assert hand.app.surface.get_size() == (1280, 720)
+    assert not hand.app.window.surface.get_flags() & pygame.FULLSCREEN
+    assert hand.app.window.surface.get_size() == (1280, 720)
 
 
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080)])
@@ -143,7 +143,7 @@ def test_help_lists_every_binding_and_closes(
         drawn[words] = real(surface, words, *rest)  # type: ignore[arg-type]
         return drawn[words]
 
-    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     hand.key(pygame.K_F1)
     assert isinstance(hand.app.scene, Help)
     monkeypatch.setattr(text, "draw", spy)

@@ -25,6 +25,7 @@ from pool2d.physics.values import Shot
 from pool2d.ui import start
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.pick import Pick
+from pool2d.ui.frame import Frame
 from pool2d.ui.replay import replay_view
 from pool2d.ui.replay.record_list import RecordList, open_replays
 from pool2d.ui.replay.replay_scene import PAUSE, Replay
@@ -292,8 +293,8 @@ def test_b_shows_the_geometry_of_the_table_over_a_replay(viewer: Viewer) -> None
     viewer.key(pygame.K_SPACE)
 
     def picture() -> bytes:
-        viewer.replay.draw(viewer.app.surface)
-        return pygame.image.tobytes(viewer.app.surface, "RGB")
+        viewer.replay.draw(Frame(viewer.app.window.surface))
+        return pygame.image.tobytes(viewer.app.window.surface, "RGB")
 
     viewer.move((2, 300))
     plain = picture()

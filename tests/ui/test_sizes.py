@@ -45,7 +45,7 @@ def test_a_window_drawn_small_and_large_again_looks_as_before(hand: Hand, size: 
         pygame.display.set_mode(to, pygame.RESIZABLE)
         hand.post(pygame.VIDEORESIZE, size=to, w=to[0], h=to[1])
         hand.app.step(FRAME)
-    assert hand.app.surface.get_size() == (1280, 720) and hand.play.stage.screen.width == 1280
+    assert hand.app.window.surface.get_size() == (1280, 720) and hand.play.stage.screen.width == 1280
 
 
 def test_a_window_is_drawn_on_itself_unless_it_is_tiny() -> None:

@@ -93,8 +93,8 @@ def test_the_marked_line_of_a_menu_is_lit_and_what_is_told_of_it_stands_below(mo
     )
     item = Item(MenuEntry(lambda: "A", lambda: None, lambda: ["b", "c"]), lambda entry: None)
     item.rect = pygame.Rect(10, 10, 300, 80)
-    for item.here in (False, True):
-        item.draw(pygame.Surface((320, 120)), 8, False, False)
+    for focused in (False, True):
+        item.draw(pygame.Surface((320, 120)), 8, focused, False)
     assert [color for said, color, _ in drawn if said == "A"] == [theme.TEXT, theme.ACCENT_LIT]
     heights = [place[1] for _, _, place in drawn[:3]]
     assert heights == sorted(heights) and heights[1] - heights[0] == heights[2] - heights[1] > 8
@@ -127,7 +127,7 @@ def test_where_a_ball_in_hand_may_go_is_shaded(
         hand.app.redraw()
         hand.app.step(0.0)
         places = (view.to_screen(*place) for place in (within, beyond))
-        return [hand.app.surface.get_at((round(x), round(y))) for x, y in places]
+        return [hand.app.window.surface.get_at((round(x), round(y))) for x, y in places]
 
     # The guide and the cue are out of the way of both.
     hand.play.hands.aim = hand.play.hands.aim.toward(1.0, 0.0)
@@ -142,6 +142,7 @@ def test_another_table_on_the_screen_is_as_the_settings_say(hand: Hand) -> None:
     hand.app.store.turn("aiming.guide", "off")
     hand.app.store.turn("balls.patterned", True)
     other = Play(practice(load_table("pool-7ft"), 1), hand.app.sounds)
+    other.entered = hand.play.entered
     hand.app.scene = other
     hand.app.step(FRAME)
     assert hand.app.play is other

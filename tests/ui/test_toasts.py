@@ -89,10 +89,10 @@ def test_a_long_path_is_wrapped_into_the_window(size: tuple[int, int]) -> None:
 
 def test_the_app_shows_notes_over_any_scene(hand: Hand) -> None:
     hand.key(pygame.K_F1)
-    before = pygame.image.tobytes(hand.app.surface, "RGB")
+    before = pygame.image.tobytes(hand.app.window.surface, "RGB")
     hand.app.toast("Hello")
     hand.app.step(0.5)
-    assert pygame.image.tobytes(hand.app.surface, "RGB") != before
+    assert pygame.image.tobytes(hand.app.window.surface, "RGB") != before
 
 
 def test_a_damaged_settings_file_is_told_once(tmp_path: Path) -> None:
@@ -127,7 +127,7 @@ def test_a_font_that_cannot_be_read_is_told_once(hand: Hand, monkeypatch: pytest
     text.font.cache_clear()
     text.picture.cache_clear()
     hand.app.step(0.0)
-    hand.app.surface = pygame.display.set_mode((960, 540))
+    hand.app.window.surface = pygame.display.set_mode((960, 540))
     hand.app.step(0.0)
     hand.app.step(0.0)
     assert [str(broken) in note.words for note in hand.app.toasts.notes] == [True]

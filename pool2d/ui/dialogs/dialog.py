@@ -1,4 +1,4 @@
-"""Dialogs: a form of widgets in the middle of the window, over the scene that it was opened from."""
+"""Dialogs: what lies over the scene that it was opened from, and a form of widgets in the middle of the window."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pygame
 
 from ...draw import shapes, theme
+from ...table.table import Table
+from ..frame import Frame
 from ..scene import Scene
 from ..screen import Screen
 from ..widgets.field import TextField
@@ -15,14 +17,30 @@ from ..widgets.widget import Button, Gap, Heading, Widget
 from ..wording.words import say
 
 
-def bottom_scene(scene: Scene) -> Scene:
-    """The scene at the bottom of a pile of dialogs; the scene itself where it is no dialog."""
-    while isinstance(scene, Dialog):
-        scene = scene.below
-    return scene
+class Overlay(Scene):
+    """Something over the scene `below`. Of several over each other only the last is seen, and the bottom, darkened."""
+
+    def __init__(self, below: Scene) -> None:
+        self.below = below
+
+    @property
+    def bottom(self) -> Scene:
+        return self.below.bottom
+
+    @property
+    def table(self) -> Table | None:
+        return self.bottom.table
+
+    def lay_out(self, size: tuple[int, int]) -> None:
+        self.bottom.lay_out(size)
+
+    def draw(self, frame: Frame) -> None:
+        self.bottom.draw(frame)
+        shapes.veil(frame.surface)
+        frame.cover()
 
 
-class Dialog:
+class Dialog(Overlay):
     """A scene that shows a form of widgets over the scene `below`.
 
     Esc, or setting `done`, closes it and returns to that scene; `go` leads to another. `width` is the form's width
@@ -32,21 +50,20 @@ class Dialog:
     width = 50
 
     def __init__(self, below: Scene, title: str, rows: list[list[Widget]]) -> None:
-        self.below = below
+        super().__init__(below)
         self.done = False
         self._after: Scene | None = below
         self.form = Form([[Heading(lambda: title, theme.TEXT, large=True)], [Gap(0.3)], *rows])
 
     @property
-    def typing(self) -> bool:
-        """Whether the focused widget takes every key, as a text field does: no key is a shortcut then."""
+    def takes_text(self) -> bool:
         focus = self.form.focus
         return focus is not None and (focus.greedy or isinstance(focus, TextField))
 
-    @property
-    def still(self) -> bool:
-        """Never: a hint appears once the pointer has rested over a widget for a while."""
-        return False
+    # Never `still`: a hint appears once the pointer has rested over a widget for a while.
+
+    def leave(self) -> None:
+        self.form.let_go()
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         greedy = self.form.focus is not None and self.form.focus.greedy
@@ -72,15 +89,17 @@ class Dialog:
         after, self._after, self.done = self._after, self.below, False
         return after
 
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
-        bottom_scene(self.below).draw(surface)
-        shapes.veil(surface)
-        unit = Screen(*surface.get_size()).unit
-        height = min(self.form.height(unit) + 4 * unit, surface.get_height() - 4 * unit)
-        box = pygame.Rect(0, 0, min(self.width * unit, surface.get_width()), height)
-        box.center = surface.get_rect().center
+    def lay_out(self, size: tuple[int, int]) -> None:
+        super().lay_out(size)
+        unit = Screen(*size).unit
+        height = min(self.form.height(unit) + 4 * unit, size[1] - 4 * unit)
+        box = pygame.Rect(0, 0, min(self.width * unit, size[0]), height)
+        box.center = size[0] // 2, size[1] // 2
         self.form.place(box, unit)
-        self.form.draw(surface)
+
+    def draw(self, frame: Frame) -> None:
+        super().draw(frame)
+        self.form.draw(frame.surface)
 
 
 class TextPrompt(Dialog):

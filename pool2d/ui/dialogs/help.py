@@ -8,20 +8,23 @@ from typing import NamedTuple
 import pygame
 
 from ...draw import shapes, text, theme
+from ..frame import Frame
 from ..scene import Scene
 from ..screen import Screen
 from ..wording.keys import HANDS, HELD, KEYS, rows
 from ..wording.words import say
-from .dialog import bottom_scene
+from .dialog import Overlay
 
 Line = tuple[str, str]
 
 
-class Help:
+class Help(Overlay):
     """The page that lists keys and mouse actions, over another scene; any key or click returns to that."""
 
     def __init__(self, below: Scene) -> None:
-        self.below = below
+        super().__init__(below)
+        self._page: _Page | None = None
+        self._screen = Screen(1280, 720)
 
     @property
     def still(self) -> bool:
@@ -30,17 +33,20 @@ class Help:
     def handle(self, event: pygame.event.Event) -> Scene | None:
         return self.below if event.type in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN) else self
 
-    def update(self, dt: float) -> Scene | None:
-        return self
+    def lay_out(self, size: tuple[int, int]) -> None:
+        super().lay_out(size)
+        self._screen = Screen(*size)
+        self._page = _laid([*hands(), ("", ""), *keys()], self._screen)
 
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
-        bottom_scene(self.below).draw(surface)
-        screen = Screen(*surface.get_size())
-        page = _laid([*hands(), ("", ""), *keys()], screen)
+    def draw(self, frame: Frame) -> None:
+        super().draw(frame)
+        if self._page is not None:
+            self._draw(frame.surface, self._screen, self._page)
+
+    def _draw(self, surface: pygame.Surface, screen: Screen, page: _Page) -> None:
         unit = screen.unit
         box = pygame.Rect(0, 0, page.width, page.height)
         box.center = surface.get_rect().center
-        shapes.veil(surface)
         shapes.panel(surface, box, unit)
         x, top = box.left + 3 * unit, box.top + 2 * unit
         text.draw(surface, say("help.title"), screen.large, theme.TEXT, (x, top))

@@ -25,7 +25,7 @@ class ListPage(Dialog):
         self.heading = heading
         self.intro = intro
         self.wrong = ""
-        self._lay_out()
+        self._fill()
 
     def entries(self) -> Sequence[Widget]:
         """The rows; asked for again whenever one of them has done something."""
@@ -40,11 +40,11 @@ class ListPage(Dialog):
             except InputError as error:
                 self.wrong = str(error)
             if not self.done:
-                self._lay_out()
+                self._fill()
 
         return done
 
-    def _lay_out(self) -> None:
+    def _fill(self) -> None:
         rows: list[Widget] = [Heading(self.heading, theme.TEXT, large=True)]
         rows += [Heading(self.intro)] if self.intro() else [Gap(0.3)]
         rows += [Heading(lambda: self.wrong, theme.WARNING, lines=3)] if self.wrong else []

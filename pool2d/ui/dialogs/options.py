@@ -43,9 +43,9 @@ class OptionsPage(Dialog):
         super().__init__(below, "", [])
         self.store = store
         self.page = PAGES[0]
-        self._lay_out()
+        self._fill()
 
-    def _lay_out(self) -> None:
+    def _fill(self) -> None:
         page = self._page()
         self.form.set_rows(
             [
@@ -84,7 +84,7 @@ class OptionsPage(Dialog):
         def put(value: object) -> None:
             self.store.turn(name, value)
             if name == "screen.language":
-                self._lay_out()
+                self._fill()
 
         if isinstance(knob.default, bool):
             return Toggle(label, lambda: bool(get()), put, hint)
@@ -96,7 +96,7 @@ class OptionsPage(Dialog):
     def _open(self, page: str) -> None:
         self.page = page
         self.form.scroll = 0
-        self._lay_out()
+        self._fill()
 
     def _keys_changed(self) -> None:
         self.store.bind(KEYS.names())
@@ -107,7 +107,7 @@ class OptionsPage(Dialog):
             self._keys_changed()
         for name, knob in self._settings():
             self.store.turn(name, knob.default)
-        self._lay_out()
+        self._fill()
 
     def _close(self) -> None:
         self.done = True

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import pygame
 
 from ...draw import shapes, text, theme
-from ..dialogs.dialog import Dialog, bottom_scene
+from ..dialogs.dialog import Dialog
 from ..scene import Scene
 from ..widgets.widget import Gap, Heading, Widget
 from ..wording.words import say
@@ -35,8 +35,6 @@ class Item(Widget):
         self.entry = entry
         self.choose = choose
         self.rows = 1.5 + 0.75 * len(entry.details())
-        # The menu sets it; it is marked also where the focus came with the mouse.
-        self.here = False
 
     def release(self, pos: tuple[int, int]) -> None:
         if self.rect.collidepoint(pos):
@@ -50,12 +48,12 @@ class Item(Widget):
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         box = self.rect.inflate(0, -unit // 2)
-        if self.here:
+        if focused:
             shapes.rounded(surface, box, theme.FACE_DOWN if self.pressed else theme.FACE_LIT, unit * 3 // 4)
             mark = pygame.Rect(box.left, box.top + unit, max(2, unit // 2), box.height - 2 * unit)
             shapes.rounded(surface, mark, theme.ACCENT, unit // 2)
         left, width = box.left + 2 * unit, box.width - 4 * unit
-        color = theme.ACCENT_LIT if self.here else theme.TEXT
+        color = theme.ACCENT_LIT if focused else theme.TEXT
         y = box.top + unit * 2
         label = text.fitted(self.entry.label(), unit * 9 // 4, width)
         text.draw(surface, label, unit * 9 // 4, color, (left, y), (0.0, 0.5))
@@ -80,7 +78,11 @@ class Menu(Dialog):
 
     @property
     def still(self) -> bool:
-        return bottom_scene(self.below).still
+        return self.bottom.still
+
+    @property
+    def opens_pages(self) -> bool:
+        return True
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         after = super().handle(event)
@@ -88,11 +90,6 @@ class Menu(Dialog):
             under = (item for item in self.items if item.rect.collidepoint(event.pos))
             self.form.focus = next(under, self.form.focus)
         return after
-
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> None:
-        for item in self.items:
-            item.here = item is self.form.focus
-        super().draw(surface)
 
     def _choose(self, entry: MenuEntry) -> None:
         after = entry.do()

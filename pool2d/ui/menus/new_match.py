@@ -47,7 +47,7 @@ class NewMatch(Dialog):
         self.store = store
         self.begin = begin
         last = store.values.match
-        self.table = last.table or table.source
+        self.preset = last.table or table.source
         game, _, options = last.game.partition(" ")
         self.game = game if game in self.games else ""
         self.race = f"{last.race:g}" if f"{last.race:g}" in _RACES else "1"
@@ -66,7 +66,7 @@ class NewMatch(Dialog):
         if self.game:
             self._take_game(self.game)
             self.options = _understood(options, self.game)
-            self._lay_out()
+            self._fill()
         else:
             self._take_table(table.source)
 
@@ -84,11 +84,11 @@ class NewMatch(Dialog):
     def barred(self) -> str:
         """Why no match can start as it is set up; empty where one can."""
         if self._loaded() is None:
-            return self._errors[self.table]
-        if self.game and self._fits(self.table):
+            return self._errors[self.preset]
+        if self.game and self._fits(self.preset):
             return ""
-        table = self._title(self.table)
-        if self.game and any(self._fits(self.table, game) for game in self.games):
+        table = self._title(self.preset)
+        if self.game and any(self._fits(self.preset, game) for game in self.games):
             return say("match.other_game", game=_game(self.game), table=table)
         return say("match.no_game", table=table)
 
@@ -132,7 +132,7 @@ class NewMatch(Dialog):
 
     # What is on the panel.
 
-    def _lay_out(self) -> None:
+    def _fill(self) -> None:
         options = self._option_widgets()
         breaks = Selector(
             say("setting.match.breaks"), lambda: BREAKS, lambda: self.breaks, self._take_breaks,
@@ -157,7 +157,7 @@ class NewMatch(Dialog):
                     Selector(
                         say("setting.match.table"),
                         lambda: self.tables,
-                        lambda: self.table,
+                        lambda: self.preset,
                         self._take_table,
                         shown=self._title,
                     )
@@ -224,7 +224,7 @@ class NewMatch(Dialog):
 
     def _take_table(self, name: str) -> None:
         """Play on this table; where the game cannot be, another one."""
-        self.table = name
+        self.preset = name
         fitting = [game for game in self.games if self._fits(name, game)]
         self._take_game(self.game if self.game in fitting else next(iter(fitting), self.game))
 
@@ -233,15 +233,15 @@ class NewMatch(Dialog):
         if name != self.game:
             self.options = {}
         self.game, self.wrong = name, ""
-        if not self._fits(self.table):
-            self.table = next((table for table in self.tables if self._tables.get(table) is not None), self.table)
+        if not self._fits(self.preset):
+            self.preset = next((table for table in self.tables if self._tables.get(table) is not None), self.preset)
         if self.breaker not in self._breakers():
             self.breaker = str(COIN)
-        self._lay_out()
+        self._fill()
 
     def _take_race(self, race: str) -> None:
         self.race = race
-        self._lay_out()
+        self._fill()
 
     def _take_breaker(self, breaker: str) -> None:
         self.breaker = breaker
@@ -251,7 +251,7 @@ class NewMatch(Dialog):
 
     def _loaded(self) -> Table | None:
         """The chosen table; None, and what is wrong with it told, where it cannot be loaded."""
-        return self._table(self.table)
+        return self._table(self.preset)
 
     def _table(self, name: str) -> Table | None:
         if name not in self._tables:

@@ -24,11 +24,15 @@ _CHOOSING = (pygame.K_TAB, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygam
 
 
 class CallStrip:
-    """The strip of buttons in the lower bar, which offers just what the ruling allows; `calls` is what was said."""
+    """The strip of buttons in the lower bar, which offers just what the ruling allows; `calls` is what was said.
+
+    `taken` is how much of the message's room it takes, in pixels.
+    """
 
     def __init__(self) -> None:
         self.calls = Calls()
         self.form = Form([], margin=1)
+        self.taken = 0
         self._moment: Moment | None = None
         self._shown: object = None
 
@@ -123,15 +127,13 @@ class CallStrip:
             said.append(say("referee.may_push"))
         return said
 
-    def place(self, screen: Screen, session: Session) -> int:
-        """Lay the strip out in the lower bar: a choice where else the cue's diagrams are, calls at the end.
-
-        Returns how wide it is there.
-        """
+    def place(self, screen: Screen, session: Session) -> None:
+        """Lay the strip out in the lower bar: a choice where else the cue's diagrams are, calls at the end."""
         self.follow(session)
+        self.taken = 0
         unit, count = screen.unit, len(self.form.widgets)
         if not count:
-            return 0
+            return
         height = self.form.height(unit) + 2 * unit
         if session.ask.kind == CHOOSE:
             box = pygame.Rect(unit, 0, screen.message.left - 2 * unit, height)
@@ -140,8 +142,8 @@ class CallStrip:
         else:
             box = pygame.Rect(0, 0, min(screen.width, unit * (count * (_WIDE + 1) + 1)), height)
             box.midright = (screen.width - unit, screen.bottom.centery)
+            self.taken = box.width + unit
         self.form.place(box, unit)
-        return 0 if session.ask.kind == CHOOSE else box.width + unit
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw the strip."""

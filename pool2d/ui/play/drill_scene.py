@@ -34,6 +34,7 @@ class DrillPlay(Play):
         self._before = self.drilling.run
         super().__init__(self.drilling, play.sounds)
         self.home = home
+        self.entered = play.entered
         self.effects, self.level = play.effects, play.level
         self.stage.style = play.stage.style
         self.hands.pointer = play.hands.pointer

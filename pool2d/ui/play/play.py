@@ -13,7 +13,9 @@ from ...game.rules import AIM, OVER
 from ...game.session import Session
 from ...sound.mixer import Sounds
 from ..dialogs.save_table import ask_to_save
-from ..scene import GUARD, Boxes, Scene
+from ..frame import Frame
+from ..scene import GUARD, Scene
+from ..screen import Screen
 from ..stage.playback import Playback
 from ..wording.keys import KEYS, action_of, fine_step
 from ..wording.words import say
@@ -38,6 +40,8 @@ class Play(SessionScene):
         self.vectors = False
         # What opens where Esc finds nothing to put away.
         self.paused: Callable[[], Scene | None] = lambda: None
+        # Told where this is on the window from now on.
+        self.entered: Callable[[Play], None] = lambda play: None
         self._keys: dict[str, Callable[[], None]] = {
             **self.hands.keys,
             **self.stage.camera.keys,
@@ -66,6 +70,25 @@ class Play(SessionScene):
             return self.playback.still and self.stage.still and self.tuning is None
         read = self.standing_message is None or self.message == self.standing_message
         return read and not self._guarded and self.stage.still and self.tuning is None
+
+    @property
+    def opens_pages(self) -> bool:
+        return True
+
+    def enter(self, by_key: bool) -> None:
+        """A key that leads back to the table does not also strike, pressed twice."""
+        if by_key:
+            self.hands.armed = False
+        self.entered(self)
+
+    def leave(self) -> None:
+        for form in (self.call_strip.form, *([self.tuning.form] if self.tuning is not None else [])):
+            form.let_go()
+        self._fast_forward(False)
+        self.stage.camera.let_go()
+        self.timeline.let_go()
+        self.editing.let_go()
+        self._put_down()
 
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if self.tuning is not None and not self.hands.busy and self.tuning.handle(event):
@@ -98,11 +121,7 @@ class Play(SessionScene):
         elif event.type == pygame.MOUSEWHEEL:
             self.hands.turn(event.y * fine_step(pygame.key.get_mods()))
         elif event.type == pygame.WINDOWFOCUSLOST:
-            self._fast_forward(False)
-            self.stage.camera.let_go()
-            self.timeline.let_go()
-            self.editing.let_go()
-            self._put_down()
+            self.leave()
         return self
 
     def _key(self, key: int, mod: int) -> Scene | None:
@@ -246,8 +265,16 @@ class Play(SessionScene):
         """Draw what is marked on the cloth, under the balls: nothing in practice. Whether there was anything."""
         return False
 
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> Boxes:
-        return play_view.draw(surface, self, kept)
+    def lay_out(self, size: tuple[int, int]) -> None:
+        screen = Screen(*size)
+        panel = self.tuning.place(screen) if self.tuning is not None else 0
+        self.stage.lay_out(screen, self.session.table, panel)
+        self.timeline.place(screen, panel)
+        if self.playback is None:
+            self.call_strip.place(screen, self.session)
+
+    def draw(self, frame: Frame) -> None:
+        play_view.draw(frame, self)
 
     def _tune(self) -> None:
         if not self.practising():

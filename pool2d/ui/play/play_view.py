@@ -14,8 +14,7 @@ from ...draw.debug import ScreenPen, draw_geometry
 from ...game.rules import AIM, CHOOSE
 from ...game.rules.spotting import KITCHEN, D
 from ...physics.strike import hop, miscue_limit
-from ..scene import Boxes
-from ..screen import Screen
+from ..frame import Frame
 from ..stage import bars, scoreboard
 from ..stage.legend import draw_legend
 from ..stage.playback import Playback
@@ -29,40 +28,32 @@ if TYPE_CHECKING:
 _HOP = 0.005
 
 
-def draw(surface: pygame.Surface, play: Play, kept: bool = False) -> Boxes:
-    """Draw the whole window; `kept`, and what is returned, as for every scene."""
-    screen = Screen(*surface.get_size())
-    panel = play.tuning.width(screen) if play.tuning is not None else 0
-    filled = play.stage.begin(surface, play.session.table, panel, kept)
-    covered = play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None
-    over: Boxes = None
-    changed = [screen.top, screen.bottom]
+def draw(frame: Frame, play: Play) -> None:
+    """Draw the whole window, as it was laid out."""
+    surface, screen = frame.surface, play.stage.screen
+    play.stage.begin(frame)
+    if play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None:
+        frame.cover()
     if play.playback is None:
-        _at_rest(surface, play)
+        _at_rest(frame, play)
     else:
-        over = in_motion(surface, play.stage, play.playback, play.effects)
+        in_motion(frame, play.stage, play.playback, play.effects)
     if play.geometry:
         draw_geometry(ScreenPen(surface, play.stage.view), play.session.table)
     if play.vectors:
         _vectors(surface, play)
     if play.playback is not None and play.playback.running:
-        # A cue may have been drawn over the bars.
-        there = filled is not None and over is not None
-        changed = play.stage.bars.show(
-            surface, screen, _bars_key(play, play.playback), lambda: _bars(surface, play), there
-        )
-        play.stage.over = None if covered else over
+        play.stage.bars.show(frame, screen, _bars_key(play, play.playback), lambda: _bars(surface, play))
     else:
         _bars(surface, play)
+        frame.cover()
     if play.playback is not None and play.playback.review:
-        play.timeline.place(screen, panel)
         play.timeline.draw(surface, play.playback, play.session.table)
-        changed.append(screen.bottom)
+        frame.replace([screen.bottom])
     if play.playback is None:
         play.call_strip.draw(surface)
     if play.tuning is not None:
         play.tuning.draw(surface)
-    return None if covered or filled is None or over is None else [*filled, *over, *changed]
 
 
 def notes(play: Play, speed: float) -> str:
@@ -88,8 +79,9 @@ def hop_note(play: Play, speed: float) -> str:
     return say("play.hop", height=f"{1000.0 * apex:.0f} mm")
 
 
-def _at_rest(surface: pygame.Surface, play: Play) -> None:
+def _at_rest(frame: Frame, play: Play) -> None:
     """The balls as they lie, the guide, and the cue or the ball in hand."""
+    surface = frame.surface
     session, stage, hands = play.session, play.stage, play.hands
     held = play.in_hand.held(session)
     aiming = held is None and session.ask.kind == AIM
@@ -99,7 +91,7 @@ def _at_rest(surface: pygame.Surface, play: Play) -> None:
         stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
     if aiming and session.movable and not session.is_practice:
         stage.glow(surface, session.cue)
-    stage.balls(surface, session.layout, session.rollout, but=held.id if held is not None else "")
+    stage.balls(frame, session.layout, session.rollout, but=held.id if held is not None else "")
     if held is not None:
         _area(surface, play)
         stage.in_hand(surface, held, play.in_hand.may_stand(session))
@@ -171,5 +163,5 @@ def _bars(surface: pygame.Surface, play: Play) -> None:
         bars.draw_controls(surface, screen, aim, speed, session.table.knobs.cue.tip_friction)
     wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
     message = wrong or f"{play.message_text} {notes(play, hands.speed)}".strip()
-    taken = play.call_strip.place(screen, session) if play.playback is None else 0
+    taken = play.call_strip.taken if play.playback is None else 0
     bars.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)

@@ -36,7 +36,7 @@ _READ = 4.0
 _SHORT = 4.0
 
 
-class SessionScene:
+class SessionScene(Scene):
     """A session on screen.
 
     While `playback` is set, its shot is shown. `effects` is what the options allow to move for show; `warning`
@@ -65,6 +65,10 @@ class SessionScene:
         # What opens once a shot or a choice has ended the frame.
         self.ended: Callable[[], Scene | None] = lambda: None
         self._next: Scene | None = None
+
+    @property
+    def table(self) -> Table:
+        return self.session.table
 
     @property
     def rollout(self) -> Rollout | None:

@@ -56,7 +56,7 @@ class Tuning:
         self._titles: dict[str, str] = {}
         self._presets: dict[str, Table] = {}
         self.form = Form([])
-        self.lay_out()
+        self.fill()
 
     def follow(self, aimed: Shot) -> None:
         """Take the shot that was played last, or where there is none the one that is aimed."""
@@ -80,16 +80,14 @@ class Tuning:
     def update(self, dt: float) -> None:
         self.form.update(dt)
 
-    def draw(self, surface: pygame.Surface) -> None:
-        screen = Screen(*surface.get_size())
-        width = self.width(screen)
-        box = pygame.Rect(screen.width - width, screen.top.bottom, width, screen.table[3])
-        self.form.place(box, screen.unit)
-        self.form.draw(surface)
+    def place(self, screen: Screen) -> int:
+        """Lay the panel out on the right of the table; returns how wide it is, in pixels."""
+        width = min(44 * screen.unit, screen.width // 2)
+        self.form.place(pygame.Rect(screen.width - width, screen.top.bottom, width, screen.table[3]), screen.unit)
+        return width
 
-    def width(self, screen: Screen) -> int:
-        """How wide the panel is, in pixels."""
-        return min(44 * screen.unit, screen.width // 2)
+    def draw(self, surface: pygame.Surface) -> None:
+        self.form.draw(surface)
 
     # What that does to the table.
 
@@ -164,7 +162,7 @@ class Tuning:
 
     # What is on the panel.
 
-    def lay_out(self) -> None:
+    def fill(self) -> None:
         """Put the open page on the panel, in the language of the moment."""
         rows: list[list[Widget]] = [
             [Heading(lambda: say("tuning.title"), theme.TEXT, large=True)],
@@ -229,7 +227,7 @@ class Tuning:
 
     def _open(self, page: str) -> None:
         self.page = page
-        self.lay_out()
+        self.fill()
 
     def _widget(self, name: str, knob: Knob) -> Widget:
         label = say(f"knob.{name}")

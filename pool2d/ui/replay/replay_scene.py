@@ -12,10 +12,13 @@ from ...draw.effects import effects_of, style_of
 from ...game.actions import Stroke
 from ...game.records.recorded_shots import RecordedShots
 from ...sound.mixer import Sounds
+from ...table.table import Table
 from ..dialogs.help import Help
 from ..dialogs.options import OptionsPage
 from ..dialogs.pick import Pick
-from ..scene import Boxes, Scene
+from ..frame import Frame
+from ..scene import Scene
+from ..screen import Screen
 from ..stage.playback import Playback
 from ..stage.stage import Stage
 from ..stage.timeline import Timeline
@@ -33,7 +36,7 @@ KEYS = {
 PAUSE = 2.0
 
 
-class Replay:
+class Replay(Scene):
     """The strokes of a record, one after the other; Esc goes to the scene below, or closes the window without one.
 
     `at` is the stroke shown, counted from 0. One that runs to its end leads on to the next; one that a hand
@@ -76,6 +79,10 @@ class Replay:
         waits = self.playback.ended and not self.playback.paused and self.at + 1 < len(self.shots)
         return self.playback.still and self.stage.still and self.shots.complete and not waits
 
+    @property
+    def table(self) -> Table:
+        return self.shots[self.at].match.table
+
     def go(self, at: int, paused: bool = False) -> None:
         """Show a stroke, from its beginning; the nearest there is."""
         self.at = min(max(at, 0), len(self.shots) - 1)
@@ -108,11 +115,14 @@ class Replay:
 
     # Events.
 
+    def leave(self) -> None:
+        self._fast_forward(False)
+        self.stage.camera.let_go()
+        self.timeline.let_go()
+
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if event.type == pygame.WINDOWFOCUSLOST:
-            self._fast_forward(False)
-            self.stage.camera.let_go()
-            self.timeline.let_go()
+            self.leave()
         elif event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
             self._fast_forward(False)
         elif event.type == pygame.KEYDOWN and action_of(event.key, getattr(event, "mod", 0)) == "quit":
@@ -183,9 +193,14 @@ class Replay:
                 self.playback.fast = fast
         return self
 
-    def draw(self, surface: pygame.Surface, kept: bool = False) -> Boxes:
+    def lay_out(self, size: tuple[int, int]) -> None:
+        screen = Screen(*size)
+        self.stage.lay_out(screen, self.table)
+        self.timeline.place(screen, 0)
+
+    def draw(self, frame: Frame) -> None:
         self.stage.style = style_of(self.store.values)
-        return replay_view.draw(surface, self, kept)
+        replay_view.draw(frame, self)
 
 
 def _nothing() -> None:

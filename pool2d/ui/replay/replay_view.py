@@ -13,7 +13,7 @@ from ...game.actions import Stroke
 from ...game.records.recorded_shots import RecordedShots
 from ...game.records.replaying import UNKNOWN, RecordedShot
 from ...game.rules.report import Call
-from ..scene import Boxes
+from ..frame import Frame
 from ..screen import Screen
 from ..stage import scoreboard
 from ..stage.legend import draw_legend
@@ -27,12 +27,12 @@ if TYPE_CHECKING:
     from .replay_scene import Replay
 
 
-def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> Boxes:
-    """Draw the whole window; `kept`, and what is returned, as for every scene."""
-    screen = Screen(*surface.get_size())
+def draw(frame: Frame, replay: Replay) -> None:
+    """Draw the whole window, as it was laid out."""
     take, shown, stage = replay.shots[replay.at], replay.playback, replay.stage
-    filled = stage.begin(surface, take.match.table, kept=kept)
-    over = in_motion(surface, stage, shown, effects_of(replay.store.values))
+    surface, screen = frame.surface, stage.screen
+    stage.begin(frame)
+    in_motion(frame, stage, shown, effects_of(replay.store.values))
     if replay.geometry:
         draw_geometry(ScreenPen(surface, stage.view), stage.table)
     if replay.vectors:
@@ -43,12 +43,10 @@ def draw(surface: pygame.Surface, replay: Replay, kept: bool = False) -> Boxes:
     _upper_bar(surface, screen, replay, take)
     said = caption(replay)
     _caption(surface, screen, said)
-    stage.over = None if replay.geometry or replay.vectors or said[0] else over
-    replay.timeline.place(screen, 0)
+    if replay.geometry or replay.vectors or said[0]:
+        frame.cover()
     replay.timeline.draw(surface, shown, stage.table)
-    if filled is None or stage.over is None:
-        return None
-    return [*filled, *stage.over, screen.top, screen.bottom]
+    frame.replace([screen.top, screen.bottom])
 
 
 # The upper bar: from shot to shot on the left, the players on the right.

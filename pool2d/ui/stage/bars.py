@@ -11,6 +11,7 @@ import pygame
 from ...draw import pen, text, theme
 from ...game.aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
 from ...physics.strike import miscue_limit
+from ..frame import Frame
 from ..screen import Screen
 from ..wording import words
 
@@ -22,23 +23,19 @@ class CachedBars:
         self._key: Hashable = None
         self._parts: list[tuple[pygame.Surface, tuple[int, int]]] = []
 
-    def show(
-        self, surface: pygame.Surface, screen: Screen, key: Hashable, draw: Callable[[], None], there: bool = False
-    ) -> list[pygame.Rect]:
-        """Show what `draw` has drawn for this key, or have it drawn; what was shown last may still be `there`.
-
-        Returns the bars that were drawn.
-        """
+    def show(self, frame: Frame, screen: Screen, key: Hashable, draw: Callable[[], None]) -> None:
+        """Show what `draw` has drawn for this key, or have it drawn."""
         bars = [screen.top, screen.bottom]
         if key != self._key:
             draw()
             self._key = key
-            self._parts = [(surface.subsurface(box).copy(), box.topleft) for box in bars]
-        elif there:
-            return []
+            self._parts = [(frame.surface.subsurface(box).copy(), box.topleft) for box in bars]
+        elif frame.changed is None:
+            frame.surface.blits(self._parts, False)
         else:
-            surface.blits(self._parts, False)
-        return bars
+            # They are still there: nothing has been drawn that might lie over them, such as a cue.
+            return
+        frame.replace(bars)
 
 
 def draw_bars(surface: pygame.Surface, screen: Screen, title: str, note: str) -> None:

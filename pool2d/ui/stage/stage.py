@@ -20,7 +20,7 @@ from ...physics.simulate import simulate
 from ...physics.values import RESTING, Ball, Layout, Shot
 from ...table.furniture import Look
 from ...table.table import Table
-from ..scene import Boxes
+from ..frame import Frame
 from ..screen import Screen
 from . import bars
 from .camera import Camera
@@ -41,9 +41,6 @@ class Stage:
         self.cue_counts = False
         self.tracker = OrientationTracker()
         self.bars = bars.CachedBars()
-        # Where the last frame has drawn over the table, told by who draws the frame; None where the next one is to be
-        # drawn as a whole.
-        self.over: Boxes = None
         self._pocketed: list[str] = []
         self.screen = Screen(1280, 720)
         self.camera = Camera()
@@ -52,21 +49,17 @@ class Stage:
         self._foreseen_key: Hashable = None
         self._foreseen: Rollout | None = None
 
-    def begin(self, surface: pygame.Surface, table: Table, panel: int = 0, kept: bool = False) -> Boxes:
-        """Take the window's present size, less `panel` pixels on the right, and draw the table.
-
-        `kept` says that the surface still shows the last frame: then only what was drawn over it is filled. Returns
-        the boxes that were.
-        """
-        self.table = table
-        self.screen = Screen(*surface.get_size())
+    def lay_out(self, screen: Screen, table: Table, panel: int = 0) -> None:
+        """Put a table between the bars of a window, less `panel` pixels on the right."""
+        self.table, self.screen = table, screen
         self._fit(panel)
+
+    def begin(self, frame: Frame) -> None:
+        """Draw the table, or as much of it as the last frame has drawn over."""
         # The bars are drawn over the rest.
-        surface.set_clip(self.screen.table)
-        over, self.over = self.over if kept else None, None
-        left = self._background.show(surface, table, self.camera.home, self.view, over)
-        surface.set_clip(None)
-        return over if left else None
+        frame.surface.set_clip(self.screen.table)
+        frame.begin_over(self._background.show(frame.surface, self.table, self.camera.home, self.view, frame.left))
+        frame.surface.set_clip(None)
 
     @property
     def view(self) -> View:
@@ -79,14 +72,13 @@ class Stage:
         return self.camera.settled and self._background.settled
 
     def balls(
-        self, surface: pygame.Surface, layout: Layout, rollout: Rollout | None = None, t: float = math.inf,
+        self, frame: Frame, layout: Layout, rollout: Rollout | None = None, t: float = math.inf,
         but: str = "", running: bool = False,
-    ) -> list[pygame.Rect]:  # fmt: skip
+    ) -> None:  # fmt: skip
         """Draw every ball on the table as it lies, `but` one, and those on their way into a pocket.
 
         `rollout` is the shot that has led to the layout, if one has, `t` seconds after its start; without
         a time it is over. While it is `running`, balls that move are drawn for one frame only, and roughly.
-        Returns the boxes in which it has drawn.
         """
         # On its way the camera shows each frame another size of ball, for which no skin is worth making.
         rough = running and self.camera.settled
@@ -103,7 +95,7 @@ class Stage:
             if ball.id != but
         ]
         self._pocketed = [ball for ball in down if self.cue_counts or ball != self.table.furniture.cue]
-        return ball_art.draw_all(surface, balls, self.style)
+        frame.add(ball_art.draw_all(frame.surface, balls, self.style))
 
     @property
     def pocketed(self) -> tuple[str, ...]:

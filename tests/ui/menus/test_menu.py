@@ -93,7 +93,7 @@ def test_a_table_tuned_in_practice_is_played_on_only_when_it_is_chosen(guest: Ha
         guest.app.scene = guest.app.lobby.menu()
         choose(guest, "New match")
         scene = guest.app.scene
-        assert isinstance(scene, NewMatch) and scene.table == "pool-9ft"
+        assert isinstance(scene, NewMatch) and scene.preset == "pool-9ft"
         assert scene._title(TUNED) == "Pool, 9 ft, as tuned in practice"
         scene._take_table(choice)
         scene.start()

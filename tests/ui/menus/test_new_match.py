@@ -152,10 +152,10 @@ def test_a_game_is_offered_the_tables_that_it_can_be_played_on_alone(guest: Hand
     for _ in games:
         chosen = dialog(guest)
         assert chosen.tables == [name for name in presets() if chosen.game in games_for(load_table(name))]
-        assert chosen.table in chosen.tables and not chosen.barred
-        before = chosen.table
+        assert chosen.preset in chosen.tables and not chosen.barred
+        before = chosen.preset
         turn(guest, "Table")
-        assert chosen.table in chosen.tables and (chosen.table != before or len(chosen.tables) == 1)
+        assert chosen.preset in chosen.tables and (chosen.preset != before or len(chosen.tables) == 1)
         turn(guest, "Game")
     assert dialog(guest).game == games[0]
 
@@ -189,7 +189,7 @@ def test_a_button_that_is_barred_is_grey(guest: Hand) -> None:
     def colors() -> set[tuple[int, ...]]:
         guest.app.redraw()
         guest.app.step(0.0)
-        box = guest.app.surface.subsurface(start.rect)
+        box = guest.app.window.surface.subsurface(start.rect)
         return {tuple(box.get_at((x, 4 + box.get_height() // 2))) for x in range(4, box.get_width() - 4)}
 
     assert theme.ACCENT in {color[:3] for color in colors()}
@@ -247,7 +247,7 @@ def test_a_game_is_kept_where_the_next_table_has_it_too(guest: Hand) -> None:
 def test_a_damaged_table_is_told_and_another_can_be_chosen(guest: Hand, tmp_path: Path) -> None:
     (tmp_path / "tables").mkdir()
     (tmp_path / "tables" / "zz.toml").write_text('base = "pool-9ft"\n[table]\nlength = -1\n')
-    while dialog(guest).table != "zz":
+    while dialog(guest).preset != "zz":
         turn(guest, "Table")
     assert "zz" in dialog(guest).barred
     click(guest, widget(guest, "Start").rect.center)
@@ -279,7 +279,7 @@ def test_options_are_those_of_the_game(guest: Hand) -> None:
 def test_a_number_that_stands_for_none_is_told_in_words(guest: Hand) -> None:
     while dialog(guest).game != "three-cushion":
         turn(guest, "Game")
-    assert dialog(guest).table == "carom-10ft"
+    assert dialog(guest).preset == "carom-10ft"
     innings = widget(guest, "Innings")
     assert isinstance(innings, Selector)
     assert (innings.get(), innings.shown(innings.get())) == ("0", "no limit")

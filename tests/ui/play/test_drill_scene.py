@@ -214,11 +214,11 @@ def test_settings_reach_the_table_of_the_drill(hand: Hand) -> None:
 
 def test_what_is_asked_for_is_marked_on_the_cloth(hand: Hand) -> None:
     play = begin(hand, "position-centre")
-    marked = hand.app.surface.get_at(tuple(map(round, play.stage.view.to_screen(1.2, 0.75))))
+    marked = hand.app.window.surface.get_at(tuple(map(round, play.stage.view.to_screen(1.2, 0.75))))
     play.drilling.run = type(play.drilling.run)(load("stop-shot"), play.drilling.run.standing)
     hand.app.redraw()
     hand.app.step(FRAME)
-    bare = hand.app.surface.get_at(tuple(map(round, play.stage.view.to_screen(1.2, 0.75))))
+    bare = hand.app.window.surface.get_at(tuple(map(round, play.stage.view.to_screen(1.2, 0.75))))
     assert sum(marked[:3]) > sum(bare[:3]) + 20
 
 

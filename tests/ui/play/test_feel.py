@@ -24,7 +24,7 @@ CUE = Ball("cue", 0.635, 0.635)
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (3840, 2160)])
 @pytest.mark.parametrize("zoom", [0, 4])
 def test_the_same_part_of_the_window_gives_the_same_speed(hand: Hand, size: tuple[int, int], zoom: int) -> None:
-    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     hand.app.step(0.0)
     hand.play.effects = Effects(reduced_motion=True)
     hand.move((size[0] * 0.6, size[1] * 0.4))
@@ -36,7 +36,7 @@ def test_the_same_part_of_the_window_gives_the_same_speed(hand: Hand, size: tupl
 
 
 def test_in_a_narrow_window_the_width_is_the_measure(hand: Hand) -> None:
-    hand.app.surface = pygame.display.set_mode((800, 1000), pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode((800, 1000), pygame.RESIZABLE)
     hand.app.step(0.0)
     hand.point(1.9, 0.635)
     hand.press()

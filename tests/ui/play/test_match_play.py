@@ -80,15 +80,15 @@ def test_a_ball_in_hand_goes_only_where_the_ruling_allows(hand: Hand) -> None:
 @pytest.mark.parametrize("language", ["en", "de"])
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720)])
 def test_names_and_scores_stay_beside_the_tray(hand: Hand, size: tuple[int, int], language: str) -> None:
-    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     words.speak(language)
     try:
         session = begin(hand, "straight", race=3)
         assert session.match.setup.race == 3
         tray = hand.play.stage.screen.tray
-        bar = pygame.surfarray.array3d(hand.app.surface.subsurface(tray)).max(axis=2)
+        bar = pygame.surfarray.array3d(hand.app.window.surface.subsurface(tray)).max(axis=2)
         assert (bar < 120).all(), "nothing is written where fallen balls lie"
-        left = pygame.surfarray.array3d(hand.app.surface.subsurface((0, 0, tray.left, tray.height))).max(axis=2)
+        left = pygame.surfarray.array3d(hand.app.window.surface.subsurface((0, 0, tray.left, tray.height))).max(axis=2)
         assert (left > 150).any()
     finally:
         words.speak("en")
@@ -218,7 +218,7 @@ def test_a_shot_seen_again_stands_below_the_score_that_it_has_made(hand: Hand) -
     hand.play.hands.aim = hand.play.hands.aim.with_speed(0.5).turned(180.0)
 
     def bar() -> bytes:
-        surface = hand.app.surface
+        surface = hand.app.window.surface
         return pygame.image.tobytes(surface.subsurface(hand.play.stage.screen.top), "RGB")
 
     hand.key(pygame.K_SPACE)

@@ -283,10 +283,10 @@ def test_the_bars_tell_the_present_while_a_shot_runs(hand: Hand) -> None:
     hand.key(pygame.K_SPACE)
     screen, trays = hand.play.stage.screen, set()
     while hand.play.playback is not None and hand.play.playback.running:
-        fresh = hand.app.surface.copy()
+        fresh = hand.app.window.surface.copy()
         play_view._bars(fresh, hand.play)
         for bar in (screen.top, screen.bottom):
-            shown, drawn = (picture.subsurface(bar) for picture in (hand.app.surface, fresh))
+            shown, drawn = (picture.subsurface(bar) for picture in (hand.app.window.surface, fresh))
             assert pygame.image.tobytes(shown, "RGB") == pygame.image.tobytes(drawn, "RGB")
         trays.add(hand.play.stage.pocketed)
         hand.app.step(0.1)

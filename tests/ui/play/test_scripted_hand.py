@@ -78,7 +78,7 @@ class Shaky(Hand):
 
 def test_a_trembling_hand_pots_what_the_guide_promises(hand: Hand) -> None:
     rng = random.Random(11)
-    hand.app.surface = pygame.display.set_mode((960, 540), pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode((960, 540), pygame.RESIZABLE)
     shaky = Shaky(hand.app)
     potted = 0
     for _ in range(SHOTS):

@@ -326,11 +326,11 @@ def test_the_geometry_drawn_is_the_one_the_physics_sees(hand: Hand) -> None:
     assert kinds.count("broad phase") == len(table.elements)
     bottom = [place for what, place in pen.drawn if what == "contact" and len(place) == 4]
     assert any(ay == pytest.approx(table.reach(0.028575)) and by == pytest.approx(ay) for _, ay, _, by in bottom)
-    plain = pygame.image.tobytes(hand.app.surface, "RGB")
+    plain = pygame.image.tobytes(hand.app.window.surface, "RGB")
     hand.key(pygame.K_b)
-    assert pygame.image.tobytes(hand.app.surface, "RGB") != plain
+    assert pygame.image.tobytes(hand.app.window.surface, "RGB") != plain
     hand.key(pygame.K_b)
-    assert pygame.image.tobytes(hand.app.surface, "RGB") == plain
+    assert pygame.image.tobytes(hand.app.window.surface, "RGB") == plain
 
 
 def test_a_table_is_compared_only_where_the_balls_have_room(hand: Hand) -> None:

@@ -97,7 +97,7 @@ def test_the_middle_button_drags_the_table_along(hand: Hand) -> None:
 
 @pytest.mark.parametrize("size", [(1280, 720), (960, 540), (700, 900)])
 def test_the_table_is_never_lost(hand: Hand, size: tuple[int, int]) -> None:
-    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     hand.app.step(0.0)
     home = hand.play.stage.view
     rng = random.Random(5)
@@ -117,7 +117,7 @@ def test_another_size_of_the_window_keeps_the_zoom(hand: Hand) -> None:
     before = settle(hand)
     zoom = before.scale / hand.play.stage.camera.home.scale
     middle = before.to_table(640, 340)
-    hand.app.surface = pygame.display.set_mode((1920, 1080), pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode((1920, 1080), pygame.RESIZABLE)
     hand.app.step(0.0)
     after = hand.play.stage.view
     assert after.scale / hand.play.stage.camera.home.scale == pytest.approx(zoom)
@@ -134,7 +134,7 @@ def test_a_ball_is_drawn_where_the_pointer_finds_it(hand: Hand) -> None:
     radius = 0.028575 * view.scale
     x, y = view.to_screen(1.9, 0.4)
     for dx, dy in ((0.8, 0.0), (-0.8, 0.0), (0.0, -0.8), (0.0, 0.8)):
-        color = hand.app.surface.get_at((round(x + dx * radius), round(y + dy * radius)))
+        color = hand.app.window.surface.get_at((round(x + dx * radius), round(y + dy * radius)))
         assert max(color[:3]) < 125, "the eight is black"
 
 
@@ -153,7 +153,7 @@ def test_the_table_is_drawn_where_the_view_says(hand: Hand, x: float, y: float) 
     light = []
     for step in range(-12, 13):
         at = (round(px) + step, round(py)) if across else (round(px), round(py) + step)
-        light.append((sum(hand.app.surface.get_at(at)[:3]), abs(step)))
+        light.append((sum(hand.app.window.surface.get_at(at)[:3]), abs(step)))
     assert min(light)[1] <= 4
 
 

@@ -10,6 +10,7 @@ from pool2d import Ball
 from pool2d.draw.balls import ball_skin
 from pool2d.draw.tabletop.background import Background
 from pool2d.game.aim import Aim
+from pool2d.ui.frame import Frame
 from pool2d.ui.stage import bars
 from pool2d.ui.wording import words
 
@@ -41,12 +42,12 @@ def watch(hand: Hand, frames: int) -> None:
     """Let the shot run, and compare each frame with one that is drawn as a whole."""
     for _ in range(frames):
         hand.app.step(FRAME)
-        seen = pygame.surfarray.array3d(hand.app.surface)
+        seen = pygame.surfarray.array3d(hand.app.window.surface)
         assert hand.app.scene is not None
         # Bars that are kept would say the same again.
         hand.play.stage.bars = bars.CachedBars()
-        hand.app.scene.draw(hand.app.surface)
-        whole = pygame.surfarray.array3d(hand.app.surface)
+        hand.app.scene.draw(Frame(hand.app.window.surface))
+        whole = pygame.surfarray.array3d(hand.app.window.surface)
         assert np.array_equal(seen, whole), f"{np.argwhere(seen != whole)[[0, -1]]} at {hand.play.playback}"
 
 
@@ -87,7 +88,7 @@ def test_nothing_stays_of_what_was_over_the_table(hand: Hand, parts: list[bool])
     hand.play.playback.kept = False  # type: ignore[union-attr]
     watch(hand, 3)
     # The window was covered, or the system has taken its picture away.
-    hand.app.surface.fill("red")
+    hand.app.window.surface.fill("red")
     hand.post(pygame.VIDEOEXPOSE)
     watch(hand, 3)
     assert parts[-2]

@@ -33,7 +33,7 @@ class Monitor:
 def monitor(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> Monitor:
     while not hand.play.stage.still:
         hand.app.step(FRAME)
-    return Monitor(monkeypatch, hand.app.surface)
+    return Monitor(monkeypatch, hand.app.window.surface)
 
 
 def test_a_running_shot_presents_little_and_all_that_has_changed(hand: Hand, monitor: Monitor) -> None:
@@ -58,11 +58,11 @@ def test_no_more_is_presented_than_the_boxes_drawn(hand: Hand, monitor: Monitor)
     hand.key(pygame.K_SPACE)
     for _ in range(40):
         hand.app.step(FRAME)
-    stage = hand.play.stage
     for _ in range(20):
-        before = list(stage.over or [])
         hand.app.step(FRAME)
-        drawn = [box.clip(monitor.window.get_rect()) for box in [*before, *(stage.over or [])]]
+        frame = hand.app.window.frame
+        assert frame.left and frame.over
+        drawn = [box.clip(monitor.window.get_rect()) for box in [*frame.left, *frame.over]]
         area = sum(box.width * box.height for box in drawn) / monitor.window.width / monitor.window.height
         assert 0.0 < monitor.share[-1] <= area + 1e-9
 
@@ -90,7 +90,7 @@ def test_a_replayed_record_presents_what_has_changed(hand: Hand, monkeypatch: py
     (path,) = records()
     viewer = Replay(RecordedShots(load(path, torn=True)), hand.play)
     hand.app.scene = viewer
-    monitor = Monitor(monkeypatch, hand.app.surface)
+    monitor = Monitor(monkeypatch, hand.app.window.surface)
     for number in range(60):
         hand.app.step(FRAME)
         hand.app.redraw()

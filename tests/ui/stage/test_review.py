@@ -193,7 +193,7 @@ def test_every_button_does_what_its_key_does(hand: Hand) -> None:
 def test_the_time_line_stays_in_the_lower_bar(
     hand: Hand, size: tuple[int, int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    hand.app.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     playback = played(hand)
     line, bar = hand.play.timeline, hand.play.stage.screen.bottom
     actions = ["begin", "back", "toggle", "forth", "end", "slower", "faster", "leave"]
@@ -213,7 +213,7 @@ def test_the_time_line_stays_in_the_lower_bar(
         hand.press()
         hand.release()
         drawn.clear()
-        line.draw(hand.app.surface, playback, hand.play.session.table)
+        line.draw(hand.app.window.surface, playback, hand.play.session.table)
         assert len(drawn) == 6, "the rate, the clock, what the button does, the event with its numbers and balls"
         assert all(bar.contains(box) for box in drawn)
         assert all(not a.colliderect(b) for i, a in enumerate(drawn) for b in drawn[:i])

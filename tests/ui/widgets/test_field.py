@@ -144,4 +144,4 @@ def test_save_as_opens_with_its_text_selected_and_letters_are_only_letters(hand:
         hand.post(pygame.TEXTINPUT, text=letter)
     assert asked.field.value == "fo"
     assert hand.app.scene is asked
-    assert not hand.app.surface.get_flags() & pygame.FULLSCREEN
+    assert not hand.app.window.surface.get_flags() & pygame.FULLSCREEN

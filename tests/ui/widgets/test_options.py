@@ -108,9 +108,9 @@ def test_everything_on_the_screen_page_by_keyboard(mine: Hand, store: Store) -> 
     mine.key(pygame.K_TAB)
     mine.key(pygame.K_RETURN)
     assert store.values.screen.full
-    assert mine.app.surface.get_flags() & pygame.FULLSCREEN
+    assert mine.app.window.surface.get_flags() & pygame.FULLSCREEN
     mine.key(pygame.K_RETURN)
-    assert not mine.app.surface.get_flags() & pygame.FULLSCREEN
+    assert not mine.app.window.surface.get_flags() & pygame.FULLSCREEN
 
 
 def test_the_guide_is_the_same_setting_in_play_and_here(mine: Hand, store: Store) -> None:
@@ -202,7 +202,7 @@ def test_while_a_row_waits_it_gets_tab_and_esc_and_the_windows_keys(mine: Hand) 
     scene = options(mine, "keys")
     click(mine, row(scene, "guide").rect.center)
     mine.key(pygame.K_F11)
-    assert not mine.app.surface.get_flags() & pygame.FULLSCREEN
+    assert not mine.app.window.surface.get_flags() & pygame.FULLSCREEN
     assert "Full screen" in row(scene, "guide").message
     mine.key(pygame.K_TAB)
     assert "Fast-forward" in row(scene, "guide").message
@@ -256,7 +256,7 @@ def test_balls_are_shown_as_their_options_make_them(hand: Hand) -> None:
         scene = hand.app.scene
         assert isinstance(scene, OptionsPage)
         samples = next(widget for widget in scene.form.widgets if isinstance(widget, BallRow))
-        return pygame.image.tobytes(hand.app.surface.subsurface(samples.rect), "RGB")
+        return pygame.image.tobytes(hand.app.window.surface.subsurface(samples.rect), "RGB")
 
     seen = {row()}
     for name, value in (("balls.palette", "colour-blind"), ("balls.patterned", True)):
