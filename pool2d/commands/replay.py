@@ -29,7 +29,7 @@ def check(path: Path) -> int:
     record = load(path)
     found = list(divergences(record))
     if not found:
-        strokes = sum(entry.data["do"] == "stroke" for entry in record.entries)
+        strokes = sum(entry.do == "stroke" for entry in record.entries)
         table = _TABLES[record.outdated]
         terminal.tell(f"{path}: as recorded: {strokes} strokes, {len(record.entries)} lines{table}")
         return 0

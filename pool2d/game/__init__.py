@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from .match import Match
     from .referee import observe
     from .rules import GAMES, game, games_for
-    from .rules.base import Ask, Choice, Rules, Ruling, State
+    from .rules.base import Rules
     from .rules.report import Call, Contact, Report
+    from .rules.ruling import Ask, Choice, Ruling, State
     from .setup import Setup
 else:
     __getattr__, __dir__ = fetched(
@@ -25,8 +26,9 @@ else:
             "match": ("Match",),
             "referee": ("observe",),
             "rules": ("GAMES", "game", "games_for"),
-            "rules.base": ("Ask", "Choice", "Rules", "Ruling", "State"),
+            "rules.base": ("Rules",),
             "rules.report": ("Call", "Contact", "Report"),
+            "rules.ruling": ("Ask", "Choice", "Ruling", "State"),
             "setup": ("Setup",),
         },
     )

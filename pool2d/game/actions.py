@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias, get_args
 
 from ..errors import InputError, suggest
 from ..physics.values import Layout, Shot
@@ -47,27 +47,32 @@ class Arrange:
 
 Action: TypeAlias = Stroke | Choice | Concede | Stalemate | NextFrame | Arrange
 
-_DOES = ("stroke", "choose", "concede", "stalemate", "next", "arrange")
+# What a line of a record says is done.
+ActionKind: TypeAlias = Literal["stroke", "choose", "concede", "stalemate", "next", "arrange"]
 
 
 def as_dict(action: Action) -> dict[str, Any]:
     """The action in JSON's types; `from_dict` reads it."""
     if isinstance(action, Stroke):
         call = {name: value for name, value in action.call.as_dict().items() if value}
-        return {"do": "stroke", "shot": write_shot(action.shot), **({"call": call} if call else {})}
+        return _line("stroke", shot=write_shot(action.shot), **({"call": call} if call else {}))
     if isinstance(action, Choice):
         place = {"x": action.x, "y": action.y} if action.key == "place" else {}
-        return {"do": "choose", "key": action.key, **place}
+        return _line("choose", key=action.key, **place)
     if isinstance(action, Concede):
-        return {"do": "concede", "player": action.player}
+        return _line("concede", player=action.player)
     if isinstance(action, Arrange):
-        return {"do": "arrange", "position": write(action.layout)}
-    return {"do": "stalemate" if isinstance(action, Stalemate) else "next"}
+        return _line("arrange", position=write(action.layout))
+    return _line("stalemate" if isinstance(action, Stalemate) else "next")
+
+
+def _line(do: ActionKind, **told: object) -> dict[str, Any]:
+    return {"do": do, **told}
 
 
 def from_dict(data: Mapping[str, Any], source: str) -> Action:
     """The action that `as_dict` made it of; raises InputError."""
-    do = data.get("do")
+    do: ActionKind | None = data.get("do")
     if do == "stroke":
         call = _of(data, "call", dict, source, {})
         known = Call().as_dict()
@@ -87,7 +92,7 @@ def from_dict(data: Mapping[str, Any], source: str) -> Action:
         return Arrange(position.layout)
     if do in ("next", "stalemate"):
         return NextFrame() if do == "next" else Stalemate()
-    raise InputError(source, "do", do, suggest(str(do), _DOES))
+    raise InputError(source, "do", do, suggest(str(do), get_args(ActionKind)))
 
 
 def _of(data: Mapping[str, Any], key: str, kind: type, source: str, default: Any = None) -> Any:

@@ -17,7 +17,7 @@ from ..physics.rollout import Event, Rollout
 from ..physics.values import MISCUE, Ball
 from ..table.table import Table
 from .rules.corners import corner_of, lines
-from .rules.report import BALL, FROZEN, POCKET, RAIL, Call, Contact, Report
+from .rules.report import BALL, FROZEN, POCKET, RAIL, Call, Contact, Report, StrokeFault
 
 # A ball has left a cushion once it has been this far from it, m.
 LEFT = 2e-4
@@ -136,7 +136,7 @@ class _Reader:
         touch = self.table.touch(self.start[self.cue], self.start[ball])
         return math.hypot(a.x - b.x, a.y - b.y) - touch <= FROZEN
 
-    def stroke(self, first: Iterable[str], touching: tuple[str, ...], when: float) -> Iterator[str]:
+    def stroke(self, first: Iterable[str], touching: tuple[str, ...], when: float) -> Iterator[StrokeFault]:
         """What was wrong with the stroke, as far as it can be seen."""
         if any(event.kind == "cue_ball" and event.where == MISCUE for event in self.rollout.events):
             yield "miscue"

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from typing import NamedTuple
+from typing import Literal, NamedTuple, TypeAlias
 
 from ..physics.rollout import Event, Rollout
-from ..physics.values import Ball
+from ..physics.values import MISCUE, Ball
 
+SoundKind: TypeAlias = Literal["ball", "cue", "cushion", "drop", "back", "miscue", "chalk", "click"]
 # A longer step of time than this, s, is a jump and not play.
 _JUMP = 1.0
 # Of a cluster only the strongest pairs are heard.
@@ -18,9 +19,9 @@ _FALL = 1.4
 
 
 class Impact(NamedTuple):
-    """A sound: its kind, a key of `synth.KINDS`, the speed of the contact, m/s, and its x on the table, m."""
+    """A sound: its kind (`synth` makes each), the speed of the contact, m/s, and its x on the table, m."""
 
-    kind: str
+    kind: SoundKind
     speed: float
     x: float
 
@@ -42,7 +43,7 @@ def _sounds(event: Event) -> list[Impact]:
         return [*_balls(event), *_cushions(event)]
     if event.kind == "cue_ball":
         ball = event.after[event.balls[0]]
-        return [Impact(event.where or "cue", math.hypot(ball.vx, ball.vy), ball.x)]
+        return [Impact("miscue" if event.where == MISCUE else "cue", math.hypot(ball.vx, ball.vy), ball.x)]
     if event.kind == "ball_pocket":
         ball = event.before[event.balls[0]]
         return [Impact("drop", math.hypot(ball.vx, ball.vy, _FALL), ball.x), Impact("back", 1.0, ball.x)]

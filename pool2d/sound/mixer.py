@@ -20,10 +20,10 @@ import pygame
 from ..physics.rollout import Rollout
 from ..table.table import Table
 from . import synth
-from .impacts import Impact, impacts
+from .impacts import Impact, SoundKind, impacts
 
 # How loud a kind is at the most, and the speed at which it is, m/s.
-_LOUDNESS = {
+_LOUDNESS: dict[SoundKind, tuple[float, float]] = {
     "ball": (0.80, 8.0), "cue": (0.32, 6.0), "cushion": (0.45, 4.0), "drop": (0.30, 3.0), "back": (0.08, 1.0),
     "miscue": (0.22, 2.0), "chalk": (0.08, 1.0), "click": (0.06, 1.0),
 }  # fmt: skip
@@ -52,8 +52,8 @@ class Sounds:
         self._clock = clock
         self._random = random.Random()
         self._starts: deque[float] = deque(maxlen=_STARTS)
-        self._made: dict[str, dict[float, list[pygame.mixer.Sound]]] = {}
-        self._waves: Iterator[tuple[str, float, synth.Wave]] | None = None
+        self._made: dict[SoundKind, dict[float, list[pygame.mixer.Sound]]] = {}
+        self._waves: Iterator[tuple[SoundKind, float, synth.Wave]] | None = None
         self._open: bool | None = None
 
     def prepare(self) -> bool:

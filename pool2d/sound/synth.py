@@ -19,6 +19,7 @@ import numpy.typing as npt
 from ..physics.body import Body
 from ..physics.springs import RADIUS, duration
 from ..physics.values import Ball
+from .impacts import SoundKind
 
 if TYPE_CHECKING:
     # numpy loads its random numbers when they are first asked for, which is after the first frame.
@@ -55,7 +56,7 @@ class Kind(NamedTuple):
     variants: int
 
 
-def waves() -> Iterator[tuple[str, float, Wave]]:
+def waves() -> Iterator[tuple[SoundKind, float, Wave]]:
     """Every sound: its kind, the speed it was made for, and its wave within -1 to 1. Always the same."""
     for name, kind in KINDS.items():
         for speed in kind.speeds:
@@ -146,7 +147,7 @@ def click(speed: float, pitch: float, noise: Noise) -> Wave:
     return _struck(_pulse(0.35e-3), _ring(0.03, _TICK, pitch, noise))
 
 
-KINDS = {
+KINDS: dict[SoundKind, Kind] = {
     "ball": Kind(ball, (0.1, 0.3, 1.0, 3.0, 9.0), 4),
     "cue": Kind(cue, (0.5, 2.0, 7.0), 3),
     "cushion": Kind(cushion, (0.3, 1.2, 5.0), 3),

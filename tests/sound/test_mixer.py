@@ -16,7 +16,7 @@ import pytest
 
 from pool2d import Shot, load_table, simulate
 from pool2d.sound import synth
-from pool2d.sound.impacts import Impact
+from pool2d.sound.impacts import Impact, SoundKind
 from pool2d.sound.mixer import Sounds, loudness, pan
 
 from ..ui.conftest import FRAME, Hand
@@ -96,7 +96,7 @@ def test_panning_keeps_the_power() -> None:
 
 
 @pytest.mark.parametrize("kind", synth.KINDS)
-def test_a_harder_contact_is_louder_up_to_a_limit(kind: str) -> None:
+def test_a_harder_contact_is_louder_up_to_a_limit(kind: SoundKind) -> None:
     steps = [loudness(Impact(kind, speed, 0.0)) for speed in (0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0)]
     assert steps == sorted(steps)
     assert steps[0] == 0.0

@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from pool2d.sound.impacts import SoundKind
 from pool2d.sound.synth import KINDS, RATE, Wave, waves
 
 
@@ -26,7 +27,7 @@ def centroid(wave: Wave) -> float:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_speed_and_variant_is_made(kind: str) -> None:
+def test_every_speed_and_variant_is_made(kind: SoundKind) -> None:
     assert {speed: len(each) for speed, each in made()[kind].items()} == dict.fromkeys(
         KINDS[kind].speeds, KINDS[kind].variants
     )

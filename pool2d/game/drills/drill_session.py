@@ -10,6 +10,7 @@ from ...physics.values import Shot
 from ..match import Match, Moment
 from ..rules import AIM, OVER, Ask
 from ..rules.report import Call
+from ..rules.ruling import AskKind
 from ..session import PRACTICE, Session
 from ..setup import Setup
 from .drill import Drill, Run, begin
@@ -32,7 +33,7 @@ class DrillSession(Session):
 
     @property
     def ask(self) -> Ask:
-        kind = OVER if self.run.standing.over else AIM
+        kind: AskKind = OVER if self.run.standing.over else AIM
         return replace(super().ask, kind=kind, where="", options=())
 
     @property

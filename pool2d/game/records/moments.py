@@ -21,9 +21,9 @@ from ...table.table import Table
 from ..actions import Stroke
 from ..match import Match, Moment, lagged
 from ..rules import AIM, CHOOSE, OVER, PLACE, Note, Ruling, State
-from ..rules.base import WRITTEN
 from ..rules.notes import ENGLISH
 from ..rules.report import POCKET, Contact, Report
+from ..rules.ruling import WRITTEN
 from ..tally import Tally
 
 # The keys of a line that tell the moment; one that has the first has them all.

@@ -16,7 +16,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 from ..._version import __version__
 from ...config.folders import data_folder
@@ -25,7 +25,7 @@ from ...errors import InputError
 from ...table.preset import load_table
 from ...table.table import Table
 from ...table.table_data import as_data, check, is_whole, table_of
-from ..actions import as_dict
+from ..actions import ActionKind, as_dict
 from ..match import Match
 from ..setup import Setup, setup_of
 from . import engine, moments
@@ -33,7 +33,8 @@ from .engine import Identity, identity_of
 
 FORMAT = 1
 FOLDER, ENDING = "matches", ".jsonl"
-UNDO, REDO = "undo", "redo"
+UNDO: Final = "undo"
+REDO: Final = "redo"
 # The key of what played, in the first line and wherever that has changed; `Identity` as a list.
 ENGINE = "engine"
 CHANGED, GONE = "changed", "gone"
@@ -47,6 +48,12 @@ class RecordLine(NamedTuple):
 
     line: int
     data: dict[str, Any]
+
+    @property
+    def do(self) -> ActionKind | Literal["undo", "redo"]:
+        """What was done; a line that `load` has read says so."""
+        done: ActionKind | Literal["undo", "redo"] = self.data["do"]
+        return done
 
 
 @dataclass(frozen=True, slots=True)

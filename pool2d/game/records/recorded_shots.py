@@ -22,7 +22,7 @@ class RecordedShots:
         self.undone = undone(record.entries)
         self.outdated = record.outdated
         self.played: list[RecordedShot] = []
-        self._count: int = sum(entry.data["do"] == "stroke" for entry in record.entries)
+        self._count: int = sum(entry.do == "stroke" for entry in record.entries)
         self._coming = strokes(record)
         if not self._count:
             raise InputError(str(record.path), "", None, "no stroke was played")
@@ -63,7 +63,7 @@ def undone(entries: tuple[RecordLine, ...]) -> frozenset[int]:
     back: list[RecordLine] = []
     gone: set[int] = set()
     for entry in entries:
-        do = entry.data["do"]
+        do = entry.do
         if do == UNDO and done:
             back.append(done.pop())
             gone.add(back[-1].line)
@@ -73,4 +73,4 @@ def undone(entries: tuple[RecordLine, ...]) -> frozenset[int]:
         elif do not in (UNDO, REDO):
             done.append(entry)
             back.clear()
-    return frozenset(entry.line for entry in entries if entry.line in gone and entry.data["do"] == "stroke")
+    return frozenset(entry.line for entry in entries if entry.line in gone and entry.do == "stroke")

@@ -12,9 +12,10 @@ from typing import Any
 
 from ...errors import InputError, suggest
 from ...table.table import Table
-from .base import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Options, Rules, Ruling, State
+from .base import Options, Rules
 from .notes import Note, label, say
 from .practice import Practice
+from .ruling import AIM, CHOOSE, OVER, PLACE, Ask, Choice, Ruling, State
 
 
 def _found() -> Iterator[type[Rules[Any]]]:

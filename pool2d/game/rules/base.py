@@ -1,4 +1,4 @@
-"""What every game has: a state, what is asked of the players, rulings, and the rules that make them.
+"""What the rules of every game have: options, what a match asks of them, and what they build rulings from.
 
 A game goes round: a `Ruling` says in `state.ask` what is to happen next; the player shoots or chooses;
 `judge` or `choose` answers with the next ruling. Nothing here changes: each ruling holds a new state
@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import MISSING, asdict, dataclass, field, fields, replace
-from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Generic, TypeVar, Unpack
 
 from ...config.knobs import apply, walk
-from ...errors import InputError, suggest
+from ...errors import InputError
 from ...physics.values import POCKETED, Layout
 from ...table.furniture import Rack
 from ...table.furniture_file import read_rack
@@ -21,104 +21,11 @@ from ...table.outline import Point
 from ...table.table import Table
 from .notes import Note
 from .report import Report
-from .spotting import may_place, put, within
+from .ruling import AIM, CHOOSE, OVER, PLACE, Ask, Asked, Choice, Ruling, State, read_value
+from .spotting import AREAS, Where, may_place, put, within
 
-# What is called otherwise in JSON than here.
-WRITTEN = {"player": "who"}
-AIM, PLACE, CHOOSE, OVER = "aim", "place", "choose", "over"
 # What an option may be that is on or off.
 YES_NO = ("yes", "no")
-
-
-@dataclass(frozen=True, slots=True)
-class Ask:
-    """What is to happen next, and who is to do it.
-
-    `kind`: "aim", shoot; "place", put the cue ball on the table first; "choose", pick one of `options`; "over",
-    the game has ended and `player` has won, -1 for nobody. `ball` is the cue ball to be struck; where `cues` are
-    named, any of them may be struck in its place. `where` is the area of a cue ball in hand, "" where it is not in
-    hand: while one aims, a cue ball in hand may still be moved within it. `on` are the balls that may be hit
-    first. `call` is what must be said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket,
-    which the obvious shot needs not. `may` are the other things that may be said, "safety" and "push". `options`
-    are the keys to choose from; a player who is to aim or place may be offered some too, and need not choose.
-    """
-
-    kind: str
-    player: int
-    ball: str = ""
-    where: str = ""
-    on: tuple[str, ...] = ()
-    call: str = ""
-    may: tuple[str, ...] = ()
-    options: tuple[str, ...] = ()
-    cues: tuple[str, ...] = ()
-
-
-class Choice(NamedTuple):
-    """What a player picked: a key out of `Ask.options`; or "place", and where the cue ball goes, m."""
-
-    key: str
-    x: float = 0.0
-    y: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class State:
-    """Where a game stands, apart from the balls. Games add fields of their own, of JSON's types and tuples.
-
-    `turn` is whose turn it is and `breaker` who broke; `scores` the points; `fouls` how many fouls in a row
-    each player has made; `seed` and `racks` give the next rack; `shots` counts the strokes since the last break.
-    """
-
-    ask: Ask = field(default_factory=lambda: Ask(AIM, 0))
-    turn: int = 0
-    breaker: int = 0
-    scores: tuple[int, ...] = (0, 0)
-    fouls: tuple[int, ...] = (0, 0)
-    seed: int = 0
-    racks: int = 0
-    shots: int = 0
-
-    @property
-    def over(self) -> bool:
-        """Whether the game has ended."""
-        return self.ask.kind == OVER
-
-    @property
-    def winner(self) -> int | None:
-        """Who has won; None while nobody has."""
-        return self.ask.player if self.over and self.ask.player >= 0 else None
-
-    def as_dict(self) -> dict[str, Any]:
-        """The state in JSON's types; the player who is asked is called `who` there, as records have it."""
-        data = asdict(self)
-        data["ask"] = {WRITTEN.get(name, name): value for name, value in data["ask"].items()}
-        return data
-
-
-class Ruling(NamedTuple):
-    """What happens after a shot or a choice.
-
-    `notes` say what happened, in order, the last one what is next; `fouls` why it was a foul, the gravest
-    first; `spotted` which balls went back on the table and where; `points` what each player's score changed by.
-    """
-
-    state: State
-    layout: Layout
-    notes: tuple[Note, ...] = ()
-    fouls: tuple[Note, ...] = ()
-    spotted: tuple[tuple[str, Point], ...] = ()
-    points: tuple[int, ...] = (0, 0)
-
-    @property
-    def ask(self) -> Ask:
-        """What is to happen next, and who is to do it."""
-        return self.state.ask
-
-    @property
-    def foul(self) -> bool:
-        """Whether the stroke was a foul."""
-        return bool(self.fouls)
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,7 +134,7 @@ class Rules(Generic[S]):
 
     def state(self, data: Mapping[str, Any]) -> S:
         """A state from what `as_dict` made of it; raises InputError."""
-        state: S = _read(self.state_type, data, f"state of {self.name}")
+        state: S = read_value(self.state_type, data, f"state of {self.name}")
         return state
 
     # What games build rulings from.
@@ -259,7 +166,7 @@ class Rules(Generic[S]):
         """The object balls on the table."""
         return tuple(ball.id for ball in layout.on_table() if ball.id != self.table.furniture.cue)
 
-    def to_play(self, state: S, layout: Layout, player: int, where: str = "", **more: Any) -> S:
+    def to_play(self, state: S, layout: Layout, player: int, where: Where = "", **more: Unpack[Asked]) -> S:
         """The state in which a player is to shoot, with the cue ball in hand where an area is named.
 
         It has to be placed first where it is off the table or outside the area.
@@ -308,35 +215,7 @@ class Rules(Generic[S]):
     def _placed(self, state: S, layout: Layout, choice: Choice) -> Ruling:
         ask = state.ask
         if not may_place(self.table, layout, ask.ball, ask.where, choice.x, choice.y):
-            allowed = f"allowed is {_AREAS[ask.where]}, clear of other balls"
+            allowed = f"allowed is {AREAS[ask.where]}, clear of other balls"
             raise InputError(self.name, "place", (choice.x, choice.y), allowed)
         layout = put(layout, ask.ball, (choice.x, choice.y))
         return Ruling(replace(state, ask=replace(ask, kind=AIM)), layout, points=(0,) * len(state.scores))
-
-
-_AREAS = {"anywhere": "anywhere on the table", "kitchen": "behind the head string", "d": "in the D"}
-
-
-def _read(kind: type[Any], data: Mapping[str, Any], source: str) -> Any:
-    """A dataclass from a dictionary, lists becoming tuples."""
-    known = {WRITTEN.get(entry.name, entry.name): entry.name for entry in fields(kind)}
-    for name in data:
-        if name not in known:
-            raise InputError(source, name, data[name], suggest(name, known))
-    values = {known[name]: _tupled(value) for name, value in data.items()}
-    if "ask" in values and kind is not Ask:
-        if not isinstance(data["ask"], Mapping):
-            raise InputError(source, "ask", data["ask"], "allowed is what a state's as_dict gives")
-        values["ask"] = _read(Ask, data["ask"], source)
-    lacking = [written for written, name in known.items() if name not in values and name in _needed(kind)]
-    if lacking:
-        raise InputError(source, "", dict(data), f"missing is {lacking[0]!r}")
-    return kind(**values)
-
-
-def _needed(kind: type[Any]) -> list[str]:
-    return [entry.name for entry in fields(kind) if entry.default is MISSING and entry.default_factory is MISSING]
-
-
-def _tupled(value: Any) -> Any:
-    return tuple(_tupled(item) for item in value) if isinstance(value, (list, tuple)) else value

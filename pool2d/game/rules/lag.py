@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 
 from ...physics.values import POCKETED, Ball, Layout
 from ...table.table import Table
-from .base import Rules, Ruling, State
+from .base import Rules
 from .notes import Note
 from .report import BALL, OFF, POCKET, RAIL, Report
+from .ruling import Ruling, State
 
 HEAD, FOOT = "left", "right"
 # Balls this much nearer than others, m, are so beyond a referee's doubt.

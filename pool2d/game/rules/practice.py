@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...physics.values import POCKETED, Ball, Layout
-from .base import Rules, Ruling, State
+from .base import Rules
 from .notes import Note
 from .report import Report
+from .ruling import Ruling, State
 from .spotting import ANYWHERE, spot_balls
 
 

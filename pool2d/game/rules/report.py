@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from ...physics.values import Layout
 
 # Balls and cushions no further apart than this touch, as far as a referee can tell, m.
 FROZEN = 2e-5
-BALL, RAIL, POCKET, OFF = "ball", "rail", "pocket", "off"
+ContactKind: TypeAlias = Literal["ball", "rail", "pocket", "off"]
+BALL: Final = "ball"
+RAIL: Final = "rail"
+POCKET: Final = "pocket"
+OFF: Final = "off"
+StrokeFault: TypeAlias = Literal["double-hit", "push", "miscue"]
 
 
 class Contact(NamedTuple):
@@ -19,7 +24,7 @@ class Contact(NamedTuple):
     its contacts. A ball that is pressed against a rail it already lay on, or has not left, meets nothing.
     """
 
-    kind: str
+    kind: ContactKind
     ball: str
     other: str = ""
 
@@ -69,7 +74,7 @@ class Report:
     touching: tuple[str, ...] = ()
     pressed: tuple[str, ...] = ()
     frozen: tuple[tuple[str, str], ...] = ()
-    stroke: tuple[str, ...] = ()
+    stroke: tuple[StrokeFault, ...] = ()
     kitchen: bool = False
     stayed: bool = False
     crossed: tuple[str, ...] = ()

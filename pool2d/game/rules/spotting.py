@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from typing import Final, Literal, TypeAlias
 
 from ...physics.values import Layout
 from ...table.outline import Point
 from ...table.table import Table
 
-ANYWHERE, KITCHEN, D = "anywhere", "kitchen", "d"
+# Areas of a cue ball in hand; "" where it is not in hand.
+Where: TypeAlias = Literal["", "anywhere", "kitchen", "d"]
+ANYWHERE: Final = "anywhere"
+KITCHEN: Final = "kitchen"
+D: Final = "d"
+AREAS: Mapping[Where, str] = {ANYWHERE: "anywhere on the table", KITCHEN: "behind the head string", D: "in the D"}
 # What is left between a spotted ball and one it must not overlap, m: more than rounding, less than can be seen.
 HAIR = 1e-9
 # What is left to a ball that must not be touched, m.
 CLEAR = 1e-4
 
 
-def within(table: Table, where: str, x: float, y: float) -> bool:
+def within(table: Table, where: Where, x: float, y: float) -> bool:
     """Whether a point is in an area of the bed; the kitchen is without its line, the D with it.
 
     The shelves of pockets are of the bed: a ball that stopped there is on the table.
@@ -31,7 +38,7 @@ def within(table: Table, where: str, x: float, y: float) -> bool:
     return True
 
 
-def may_place(table: Table, layout: Layout, ball: str, where: str, x: float, y: float) -> bool:
+def may_place(table: Table, layout: Layout, ball: str, where: Where, x: float, y: float) -> bool:
     """Whether a ball in hand may be put here: within the area, and with room."""
     radius = table.body_of(layout[ball])[0]
     return within(table, where, x, y) and table.has_room(x, y, radius, layout, ignore=ball)

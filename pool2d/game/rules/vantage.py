@@ -22,7 +22,7 @@ from ...physics.values import Ball, Layout
 from ...table.outline import Point, edges
 from ...table.table import Table
 from .sight import JAW, Disc, SightLines, view
-from .spotting import HAIR, KITCHEN, D, within
+from .spotting import HAIR, KITCHEN, D, Where, within
 
 
 class StraightLine(NamedTuple):
@@ -39,7 +39,7 @@ Curve: TypeAlias = StraightLine | Disc
 class Area:
     """Where a cue ball in hand may be put: on the table, in the kitchen or the D, with room beside the other balls."""
 
-    def __init__(self, table: Table, layout: Layout, cue: Ball, where: str) -> None:
+    def __init__(self, table: Table, layout: Layout, cue: Ball, where: Where) -> None:
         self.table, self.where = table, where
         self.radius = table.body_of(cue)[0]
         self.balls = [Disc(b.x, b.y, table.touch(cue, b)) for b in layout.on_table() if b.id != cue.id]
@@ -120,7 +120,7 @@ class Area:
 
 
 def vantage(
-    table: Table, layout: Layout, cue: Ball, on: Collection[str], where: str, between: bool = False
+    table: Table, layout: Layout, cue: Ball, on: Collection[str], where: Where, between: bool = False
 ) -> Point | None:
     """A place in an area from which a cue ball in hand is not snookered (2.17 a); None where there is none."""
     area, seen = Area(table, layout, cue, where), view(table, layout, cue, on, between=between)

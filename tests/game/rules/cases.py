@@ -25,6 +25,8 @@ import pytest
 from pool2d import Layout, Table, load_table
 from pool2d.game.rules import CHOOSE, GAMES, Choice, Ruling, State
 from pool2d.game.rules.pool.pool import PoolRules
+from pool2d.game.rules.ruling import Declared
+from pool2d.game.rules.spotting import Where
 
 from .notation import after, only, report
 
@@ -49,9 +51,9 @@ class Given:
     """A situation: options of the game, fields of the state and of the report, and the balls on the table."""
 
     breaks: bool = False
-    where: str = ""
+    where: Where = ""
     balls: tuple[str, ...] = ()
-    may: tuple[str, ...] = ()
+    may: tuple[Declared, ...] = ()
     options: dict[str, Any] = field(default_factory=dict)
     state: dict[str, Any] = field(default_factory=dict)
     report: dict[str, Any] = field(default_factory=dict)

@@ -14,7 +14,7 @@ from typing import Any
 
 from pool2d import Layout, Table
 from pool2d.game.rules import GAMES, Rules, Ruling, State
-from pool2d.game.rules.spotting import put
+from pool2d.game.rules.spotting import AREAS, Where, put
 
 from .cases import Case, line
 from .notation import after, only, report
@@ -45,7 +45,7 @@ class Scene:
 
     balls: tuple[str, ...] = ()
     places: dict[str, tuple[float, float]] = field(default_factory=dict)
-    where: str = ""
+    where: Where = ""
     options: dict[str, Any] = field(default_factory=dict)
     state: dict[str, Any] = field(default_factory=dict)
     report: dict[str, Any] = field(default_factory=dict)
@@ -60,7 +60,7 @@ def scene(text: str) -> Scene:
         elif name == "at":
             found.places[words[0]] = (float(words[1]), float(words[2]))
         elif name == "where":
-            found.where = words[0]
+            found.where = next(area for area in AREAS if area == words[0])
         elif name == "option":
             found.options[words[0]] = _value(words[1])
         elif name in SEEN:

@@ -12,7 +12,7 @@ from pool2d.game.referee import observe
 from pool2d.game.rules import Choice, Ruling, State
 from pool2d.game.rules.sight import sees, sees_full, snookered
 from pool2d.game.rules.snooker.snooker import Snooker, SnookerState, needed, points_left
-from pool2d.game.rules.snooker.snooker_fouls import COLOR, ORDER, RED
+from pool2d.game.rules.snooker.snooker_fouls import COLOR, ORDER, RED, SnookerPhase
 from pool2d.game.rules.snooker.snooker_spots import COLORS, spot_colors, spot_of
 from pool2d.game.rules.spotting import put
 
@@ -129,7 +129,7 @@ def test_who_wins_the_lots_says_who_plays_at_the_black(key: str, player: int) ->
     ],
 )
 def test_snookers_needed(
-    scores: tuple[int, int], phase: str, balls: tuple[str, ...], left: int, snookers: tuple[int, int]
+    scores: tuple[int, int], phase: SnookerPhase, balls: tuple[str, ...], left: int, snookers: tuple[int, int]
 ) -> None:
     layout = only(START, *balls)
     assert points_left(phase, layout) == left

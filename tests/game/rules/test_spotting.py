@@ -7,7 +7,7 @@ import math
 import pytest
 
 from pool2d import Ball, Layout, load_table
-from pool2d.game.rules.spotting import CLEAR, KITCHEN, D, nearest, on_long_string, spot_balls, within
+from pool2d.game.rules.spotting import CLEAR, KITCHEN, D, Where, nearest, on_long_string, spot_balls, within
 from pool2d.physics.values import POCKETED
 
 TABLE, SNOOKER = load_table("pool-9ft"), load_table("snooker-12ft")
@@ -71,7 +71,7 @@ def test_no_room_at_all() -> None:
         ("anywhere", 2.6, 0.3, False),
     ],
 )
-def test_areas(where: str, x: float, y: float, there: bool) -> None:
+def test_areas(where: Where, x: float, y: float, there: bool) -> None:
     assert within(TABLE, where, x, y) == there
 
 

@@ -10,7 +10,7 @@ import pytest
 from pool2d import Layout, Table, load_table
 from pool2d.game.rules import game
 from pool2d.game.rules.sight import snookered
-from pool2d.game.rules.spotting import may_place, put
+from pool2d.game.rules.spotting import Where, may_place, put
 from pool2d.game.rules.vantage import vantage
 from pool2d.physics.values import POCKETED
 from pool2d.table.outline import Point
@@ -93,7 +93,7 @@ def drawn(table: Table, rules: str, rng: random.Random, on: int, others: int) ->
     ("table", "rules", "where", "between"),
     [(SNOOKER, "snooker", "d", False), (ENGLISH, "english-eight-ball", "kitchen", True)],
 )
-def test_no_sample_finds_what_is_not_there(table: Table, rules: str, where: str, between: bool, seed: int) -> None:
+def test_no_sample_finds_what_is_not_there(table: Table, rules: str, where: Where, between: bool, seed: int) -> None:
     """A place that is named is one; where none is named, none of many is."""
     rng = random.Random(f"{rules} {seed}")
     layout, on = drawn(table, rules, rng, 1 + seed % 2, 2 + seed % 5)

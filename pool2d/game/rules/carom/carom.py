@@ -12,10 +12,11 @@ from typing import ClassVar
 from ....config.knobs import choice, knob
 from ....physics.values import POCKETED, Layout
 from ....table.outline import Point
-from ..base import Options, Rules, Ruling, State
+from ..base import Options, Rules
 from ..notes import Note
 from ..pool.pool import added, changed, points, score_notes
 from ..report import BALL, FROZEN, RAIL, Report
+from ..ruling import Ruling, State
 from ..spotting import put
 
 RED = "red"

@@ -11,10 +11,11 @@ from dataclasses import dataclass, replace
 from ....config.knobs import choice, knob
 from ....physics.values import Layout
 from ....table.outline import Point
-from ..base import YES_NO, Ruling
+from ..base import YES_NO
 from ..notes import Note
 from ..pool.pool import added, points
 from ..report import BALL, Report
+from ..ruling import Ruling
 from ..spotting import has_room, put
 from .carom import RED, Carom, CaromOptions, CaromState, cushions_before_last
 

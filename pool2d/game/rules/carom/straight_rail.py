@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from ....config.knobs import choice, knob
 from ....physics.values import Layout
 from ....table.outline import Point
-from ..base import Ruling
 from ..corners import corner_of
 from ..notes import Note
 from ..report import Report
+from ..ruling import Ruling
 from .carom import Carom, CaromOptions, CaromState
 
 # How often a player may score on balls that are, and stay, in one corner.

@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 from ....config.knobs import choice
 from ....physics.values import POCKETED, Layout
 from ....table.outline import Point
-from ..base import YES_NO, Options, Ruling, State
+from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import BALL, Report
+from ..ruling import Ruling, State
 from ..sight import sees
 from ..spotting import KITCHEN, spot_balls
 from .pool import PoolRules, changed

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from ....physics.values import Layout
-from ..base import Ruling, State
 from ..notes import Note
 from ..report import Report
-from ..spotting import ANYWHERE, KITCHEN, spot_balls
+from ..ruling import Ruling, State
+from ..spotting import ANYWHERE, KITCHEN, Where, spot_balls
 from .fouls import seen
 from .pool import DRIVEN, PoolRules, driven, gone
 
@@ -82,7 +82,7 @@ class EightBall(PoolRules[EightBallState]):
         # 4.3 (e), (f): the breaker goes on where the balls lie; the opponent from behind the head string.
         player = state.ask.player
         layout, spotted = spot_balls(self.table, layout, (EIGHT,))
-        where = "" if player == state.breaker else KITCHEN
+        where: Where = "" if player == state.breaker else KITCHEN
         return self.ruled(self.next(state, layout, player, where), layout, spotted=spotted)
 
     def _break(self, state: EightBallState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:

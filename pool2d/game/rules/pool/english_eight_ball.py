@@ -10,11 +10,11 @@ from dataclasses import dataclass, replace
 
 from ....physics.values import POCKETED, Layout
 from ....table.outline import Point
-from ..base import AIM, Ruling, State
 from ..notes import Note
 from ..report import BALL, Report
+from ..ruling import AIM, Ruling, State
 from ..sight import sees, snookered
-from ..spotting import KITCHEN, nearest, put
+from ..spotting import KITCHEN, Where, nearest, put
 from ..vantage import vantage
 from .pool import DRIVEN, PoolRules, changed, driven
 
@@ -210,7 +210,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
         nominate a ball that is not on.
         """
         on, cue = self.on(state, layout, player), layout[self.table.furniture.cue]
-        where = KITCHEN if cue.phase == POCKETED else ""
+        where: Where = KITCHEN if cue.phase == POCKETED else ""
         # Q: a jaw snookers the cue ball that lies between it and its like.
         hidden = (
             vantage(self.table, layout, cue, on, where, between=True) is None

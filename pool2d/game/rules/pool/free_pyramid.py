@@ -10,9 +10,10 @@ from dataclasses import replace
 
 from ....physics.values import POCKETED, Layout
 from ....table.outline import Point
-from ..base import AIM, Ask, Rules, Ruling, State
+from ..base import Rules
 from ..notes import Note
 from ..report import Report
+from ..ruling import AIM, Ask, Ruling, State
 from ..spotting import KITCHEN, nearest, put
 from .pool import added, points, score_notes
 

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from ....config.knobs import choice
 from ....physics.values import Layout
-from ..base import YES_NO, Ruling, State
+from ..base import YES_NO
 from ..report import Report
+from ..ruling import Ruling, State
 from .rotation import Rotation, RotationOptions
 
 # How many balls the three-ball rule wants pocketed or over the head string (Regulation 16).

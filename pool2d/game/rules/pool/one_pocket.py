@@ -13,10 +13,11 @@ from ....config.knobs import choice, knob
 from ....physics.values import Layout
 from ....table.outline import Point
 from ....table.table import Table
-from ..base import YES_NO, Options, Ruling, State
+from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import Report
-from ..spotting import KITCHEN, spot_balls
+from ..ruling import Ruling, State
+from ..spotting import KITCHEN, Where, spot_balls
 from .fouls import seen
 from .pool import PoolRules, changed, gone
 
@@ -93,7 +94,8 @@ class OnePocket(PoolRules[OnePocketState]):
             # Spotting comes at the end of an inning, or when the table is empty.
             state, back = _due(state)
             layout, spotted = spot_balls(self.table, layout, back)
-        where = KITCHEN if gone(layout, report.cue) else ""  # 6.3: after any other foul the balls lie as they are.
+        # 6.3: after any other foul than a scratch the balls lie as they are.
+        where: Where = KITCHEN if gone(layout, report.cue) else ""
         state = self.next(state, layout, shooter if mine else opponent, where)
         return self._told(before, state, layout, *notes, fouls=fouls, spotted=spotted)
 

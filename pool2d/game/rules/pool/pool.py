@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import ClassVar, TypeVar, Unpack
 
 from ....physics.values import POCKETED, Layout
-from ..base import Rules, Ruling, State
+from ..base import Rules
 from ..notes import Note
 from ..report import Report
-from ..spotting import KITCHEN, spot_balls
+from ..ruling import Asked, CallKind, Declared, Ruling, State
+from ..spotting import KITCHEN, Where, spot_balls
 
 S = TypeVar("S", bound=State)
 T = TypeVar("T")
@@ -24,8 +25,8 @@ class PoolRules(Rules[S]):
     `call` is what has to be called after the break, `may` what else may be said.
     """
 
-    call = ""
-    may: tuple[str, ...] = ()
+    call: ClassVar[CallKind] = ""
+    may: ClassVar[tuple[Declared, ...]] = ()
 
     def on(self, state: S, layout: Layout, player: int) -> tuple[str, ...]:
         """The balls that a player may hit first."""
@@ -45,7 +46,7 @@ class PoolRules(Rules[S]):
         """What follows when both players see no progress (1.13): who broke the rack breaks again."""
         return self.broken_by(state.breaker, state)
 
-    def next(self, state: S, layout: Layout, player: int, where: str = "", **more: Any) -> S:
+    def next(self, state: S, layout: Layout, player: int, where: Where = "", **more: Unpack[Asked]) -> S:
         """The state in which a player shoots after the break.
 
         With the cue ball in hand behind the head string and every ball on behind it too, the one nearest to
@@ -54,7 +55,8 @@ class PoolRules(Rules[S]):
         on, line = self.on(state, layout, player), self.table.furniture.head_string
         behind = where == KITCHEN and line is not None and all(layout[ball].x < line for ball in on)
         options = ("spot",) if behind and on else ()
-        asked = {"on": on, "call": self.call, "may": self.may, "options": options, **more}
+        asked: Asked = {"on": on, "call": self.call, "may": self.may, "options": options}
+        asked.update(more)
         return self.to_play(state, layout, player, where, **asked)
 
     def picked(self, state: S, layout: Layout, key: str) -> Ruling:

@@ -7,10 +7,10 @@ import math
 from ....physics.values import POCKETED, Ball, Layout
 from ....table.outline import Corner, Point, distance_to_edge, edges, inside
 from ....table.table import Table
-from ..spotting import KITCHEN, put
+from ..spotting import KITCHEN, Where, put
 
 
-def rerack(table: Table, layout: Layout, name: str, seed: int) -> tuple[Layout, str]:
+def rerack(table: Table, layout: Layout, name: str, seed: int) -> tuple[Layout, Where]:
     """The layout with the pocketed balls racked, and the area of the cue ball, "" where it is not in hand.
 
     One object ball or none is left on the table. The rack's apex stays empty where one is, unless that and the

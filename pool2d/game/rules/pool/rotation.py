@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 
 from ....config.knobs import choice
 from ....physics.values import Layout
-from ..base import YES_NO, Options, Ruling, State
+from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import Report
+from ..ruling import Ruling, State
 from ..spotting import ANYWHERE, KITCHEN, spot_balls
 from .fouls import seen
 from .pool import DRIVEN, PoolRules, driven

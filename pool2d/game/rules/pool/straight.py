@@ -6,10 +6,11 @@ from dataclasses import dataclass, replace
 
 from ....config.knobs import choice, knob
 from ....physics.values import Layout
-from ..base import YES_NO, Options, Ruling, State
+from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import Report
-from ..spotting import KITCHEN, spot_balls
+from ..ruling import Ruling, State
+from ..spotting import KITCHEN, Where, spot_balls
 from .fouls import seen
 from .pool import PoolRules, added, driven, gone, points, score_notes
 from .rerack import rerack
@@ -83,7 +84,8 @@ class Straight(PoolRules[StraightState]):
         state = added(state, change)
         if state.scores[player] >= self.options.target:
             return self.ruled(self.ended(state, player), layout, *score_notes(change), points=change)
-        where, notes = "", score_notes(change)
+        where: Where = ""
+        notes = score_notes(change)
         if len(self.on_table(layout)) <= 1:
             layout, where = rerack(self.table, layout, self.racks[0], state.seed + 1000 * state.racks)
             state, notes = replace(state, racks=state.racks + 1), (*notes, Note("re-racked"))

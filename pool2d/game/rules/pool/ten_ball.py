@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from ....config.knobs import choice
 from ....physics.values import Layout
-from ..base import State
 from ..report import Report
+from ..ruling import State
 from .rotation import Rotation, RotationOptions
 
 

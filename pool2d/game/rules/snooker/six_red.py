@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from ....physics.values import Layout
-from ..base import Ruling
 from ..notes import Note
 from ..report import Report
+from ..ruling import Ruling
 from ..sight import snookering
 from ..spotting import ANYWHERE
 from .snooker import Snooker, SnookerState

@@ -5,17 +5,19 @@ from __future__ import annotations
 import math
 import random
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from ....config.knobs import choice
 from ....errors import InputError
 from ....physics.values import POCKETED, Layout
 from ....table.outline import Point
-from ..base import Options, Rules, Ruling, State
+from ..base import Options, Rules
 from ..notes import Note
 from ..pool.pool import added, points, score_notes
 from ..report import Report
+from ..ruling import CallKind, Ruling, State
 from ..sight import sees, sees_full, snookered
-from ..spotting import D, put
+from ..spotting import D, Where, put
 from ..vantage import vantage
 from .snooker_fouls import (
     COLOR,
@@ -23,6 +25,7 @@ from .snooker_fouls import (
     ORDER,
     RED,
     Foul,
+    SnookerPhase,
     Target,
     aimed,
     balls_on,
@@ -53,14 +56,14 @@ class SnookerState(State):
     was a free ball; `misses` counts those in a row with a full ball in sight.
     """
 
-    phase: str = RED
+    phase: SnookerPhase = RED
     free: bool = False
     run: int = 0
     left: int = 147
     snookers: tuple[int, ...] = (0, 0)
     tied: bool = False
     before: tuple[tuple[str, float, float], ...] = ()
-    was: str = ""
+    was: SnookerPhase | Literal[""] = ""
     freed: bool = False
     misses: int = 0
 
@@ -85,7 +88,7 @@ class Snooker(Rules[SnookerState]):
         return self.ruled(self.aiming(state, layout, breaker, D), layout)
 
     def aiming(
-        self, state: SnookerState, layout: Layout, player: int, where: str = "", free: bool = False
+        self, state: SnookerState, layout: Layout, player: int, where: Where = "", free: bool = False
     ) -> SnookerState:
         """The state in which a player is to strike: with a colour or a free ball to nominate, or without."""
         on = balls_on(state.phase, layout)
@@ -93,7 +96,7 @@ class Snooker(Rules[SnookerState]):
         left = points_left(state.phase, layout, free)
         state = replace(state, free=free, left=left, snookers=needed(state.scores, left, state.phase, on))
         claims = balls == ("black",) and state.scores[player] - state.scores[self.other(player)] > value("black")
-        call = "ball" if free or state.phase == COLOR else ""
+        call: CallKind = "ball" if free or state.phase == COLOR else ""
         # 2.1 (b): with only the black left, who leads by more than seven may claim the frame.
         return self.to_play(
             state, layout, player, where, on=balls if free else on, call=call, options=("claim",) if claims else ()
@@ -129,7 +132,7 @@ class Snooker(Rules[SnookerState]):
             return self.ruled(self.aiming(state, layout, player, D), layout)
         if key == "put-back":
             return self._put_back(state, layout)
-        where = D if layout[self.table.furniture.cue].phase == POCKETED else ""
+        where: Where = D if layout[self.table.furniture.cue].phase == POCKETED else ""
         state = replace(state, misses=0, before=())
         if key == "play-again":
             # 3.11 (h), 3.12 (f): the offender plays, and there is no free ball.
@@ -222,7 +225,7 @@ class Snooker(Rules[SnookerState]):
             layout = put(layout, ball, (x, y))
         offender = self.other(state.ask.player)
         notes = (Note("warned", offender),) if state.misses == 2 else ()
-        again = replace(state, phase=state.was, before=(), was="", freed=False)
+        again = replace(state, phase=state.was or RED, before=(), was="", freed=False)
         return self.ruled(self.aiming(again, layout, offender, free=state.freed), layout, *notes)
 
     def _end(
@@ -252,7 +255,7 @@ def could_be_on(state: SnookerState, layout: Layout) -> tuple[str, ...]:
     return (*balls_on(state.phase, layout), *nominable(state.phase, state.free, layout))
 
 
-def points_left(phase: str, layout: Layout, free: bool = False) -> int:
+def points_left(phase: SnookerPhase, layout: Layout, free: bool = False) -> int:
     """What can still be scored in one break: a black with every red, then the colours; a free ball adds its own."""
     on = balls_on(phase, layout)
     standing = {ball.id for ball in layout.on_table()}
@@ -264,7 +267,7 @@ def points_left(phase: str, layout: Layout, free: bool = False) -> int:
     return reds * (1 + value("black")) + extra + colors
 
 
-def needed(scores: tuple[int, ...], left: int, phase: str, on: tuple[str, ...]) -> tuple[int, ...]:
+def needed(scores: tuple[int, ...], left: int, phase: SnookerPhase, on: tuple[str, ...]) -> tuple[int, ...]:
     """How many fouls of the opponent each player needs to draw level with what is left: the snookers needed."""
     worth = max(LEAST, value(on[0])) if phase == ORDER and on else LEAST
     return tuple(
@@ -277,6 +280,6 @@ def _decided(scores: tuple[int, ...], left: int) -> bool:
     return abs(scores[0] - scores[1]) >= left
 
 
-def _phase(layout: Layout) -> str:
+def _phase(layout: Layout) -> SnookerPhase:
     """What is on at the start of a turn, and after a colour."""
     return RED if balls_on(RED, layout) else ORDER

@@ -7,7 +7,7 @@ turn, feet, jumps, balls touched or used to measure (most of 3.10 a, b and d).
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import NamedTuple
+from typing import Final, Literal, NamedTuple, TypeAlias
 
 from ....physics.values import Layout
 from ....table.table import Table
@@ -16,7 +16,11 @@ from ..report import Report
 from ..sight import snookering
 from .snooker_spots import COLORS, value
 
-RED, COLOR, ORDER = "red", "color", "order"
+# What is on: a red; after a red any colour; the colour of the lowest value.
+SnookerPhase: TypeAlias = Literal["red", "color", "order"]
+RED: Final = "red"
+COLOR: Final = "color"
+ORDER: Final = "order"
 # 3.10: the least and the greatest penalty.
 LEAST, MOST = 4, 7
 
@@ -44,7 +48,7 @@ class Foul(NamedTuple):
     worth: int
 
 
-def balls_on(phase: str, layout: Layout) -> tuple[str, ...]:
+def balls_on(phase: SnookerPhase, layout: Layout) -> tuple[str, ...]:
     """3.3 (f), (g): the reds; after a red the colours; when the reds are gone the colour of the lowest value."""
     standing = [ball.id for ball in layout.on_table()]
     if phase == RED:
@@ -53,7 +57,7 @@ def balls_on(phase: str, layout: Layout) -> tuple[str, ...]:
     return colors if phase == COLOR else colors[:1]
 
 
-def aimed(phase: str, free: bool, report: Report) -> Target:
+def aimed(phase: SnookerPhase, free: bool, report: Report) -> Target:
     """What the striker was on.
 
     Where nothing was said, the ball hit first is taken to be meant, as where it is plain to the referee, or where none
@@ -68,7 +72,7 @@ def aimed(phase: str, free: bool, report: Report) -> Target:
     return Target(on, value(on[0]), named)
 
 
-def nominable(phase: str, free: bool, layout: Layout) -> tuple[str, ...]:
+def nominable(phase: SnookerPhase, free: bool, layout: Layout) -> tuple[str, ...]:
     """The balls that may be nominated: after a red any colour (3.3 g), as the free ball any but one on (2.13)."""
     if phase == COLOR:
         return balls_on(COLOR, layout)
