@@ -26,8 +26,8 @@ from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, pace
 
 # An impact of balls is over long before this many times the duration of one; a guard, not a limit that is met.
 _LONGEST = 400
-# A ball that its own spin presses into a cushion could stay there as long as it spins. After this many times
-# the duration of a rebound that is no impact any more, and the cloth's friction has to be reckoned with.
+# A ball that friction wedges into a cushion could stay there as long as it spins. After this many times the
+# duration of a rebound that is no impact any more (see `_unjam`).
 _HELD = 2
 # How often the approaches of wedged balls are shared out.
 _ROUNDS = 100
@@ -75,16 +75,16 @@ def facing(ball: Body, elements: Sequence[Element], reach: float, room: float) -
     return found
 
 
-def solve(group: Group, speed: float, table: Materials) -> tuple[list[BallSpring], list[NoseSpring]]:
+def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSpring], list[NoseSpring]]:
     """Let the impact of a group run its course; the contacts that took part, the balls changed.
 
     `speed` is that of the approach that set it off, m/s.
     """
     # As two balls alone part at that speed; in thousandths, of which none has to be worked out twice.
-    loss = damping(round(rebound(speed, table.ball.restitution) / speed, 3))
-    pairs = [BallSpring(a, b, gap, speed, loss, table) for a, b, gap in group.pairs]
+    loss = damping(round(rebound(speed, materials.ball.restitution) / speed, 3))
+    pairs = [BallSpring(a, b, gap, speed, loss, materials) for a, b, gap in group.pairs]
     noses = [
-        NoseSpring(ball, element, gap, [other for other, _, _ in group.noses].count(ball), table)
+        NoseSpring(ball, element, gap, [other for other, _, _ in group.noses].count(ball), materials)
         for ball, element, gap in group.noses
     ]
     springs: list[Spring] = [*pairs, *noses]

@@ -68,7 +68,7 @@ class BallSpring:
 
     __slots__ = ("a", "b", "n", "depth", "step", "met", "slip", "stiffness", "loss", "friction", "numbers", "impulse")
 
-    def __init__(self, a: Body, b: Body, gap: float, speed: float, loss: float, table: Materials) -> None:
+    def __init__(self, a: Body, b: Body, gap: float, speed: float, loss: float, materials: Materials) -> None:
         self.a = a
         self.b = b
         self.n = normal(a, b)
@@ -79,8 +79,8 @@ class BallSpring:
         # Springs of Hertz: K goes with the root of the effective radius.
         self.stiffness = stiffness(a, b)
         self.loss = loss * math.sqrt(self.stiffness * a.mass * b.mass / (a.mass + b.mass))
-        self.friction = table.ball_law.friction
-        self.numbers = table.ball
+        self.friction = materials.ball_law.friction
+        self.numbers = materials.ball
         self.impulse: tuple[float, float, float, float] | None = None
 
     @property
@@ -145,7 +145,7 @@ class NoseSpring:
     __slots__ = ("ball", "nx", "ny", "name", "depth", "step", "met", "share", "nose",
                  "stiffness", "deepest", "power", "change")  # fmt: skip
 
-    def __init__(self, ball: Body, element: Element, gap: float, share: int, table: Materials) -> None:
+    def __init__(self, ball: Body, element: Element, gap: float, share: int, materials: Materials) -> None:
         self.ball = ball
         self.nx, self.ny = element.normal(ball.x, ball.y)
         self.name = element.name
@@ -153,7 +153,7 @@ class NoseSpring:
         self.step = stay(ball) / STEPS
         self.met = False
         self.share = share
-        self.nose = table.cushion_law.nose(ball.radius, table.cushion)
+        self.nose = materials.cushion_law.nose(ball.radius, materials.cushion)
         self.stiffness = RUBBER / ball.mass
         self.deepest = 0.0
         self.power = 0.0
