@@ -1,4 +1,4 @@
-"""How the player means to strike, and how hands change it."""
+"""The aim: how the player means to strike, and the curve from a pull of the cue to its speed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MAX_ELEVATION = 80.0
 
 @dataclass(frozen=True, slots=True)
 class Aim:
-    """The cue before the stroke: like a Shot, with the speed that a key stroke would have."""
+    """The cue before the stroke: a `Shot` without a ball; `speed`, m/s, is that of a stroke by key."""
 
     angle: float = 0.0
     speed: float = 3.0
@@ -32,7 +32,7 @@ class Aim:
     elevation: float = 0.0
 
     def shot(self, ball: str, speed: float | None = None) -> Shot:
-        """The shot it makes."""
+        """The shot that it makes of a ball, at another speed, m/s, where one is given."""
         given = self.speed if speed is None else speed
         return Shot(self.angle, given, self.side, self.height, self.elevation, ball)
 
@@ -42,22 +42,25 @@ class Aim:
         return cls(shot.angle % 360.0, shot.speed, shot.side, shot.height, shot.elevation)
 
     def toward(self, dx: float, dy: float) -> Aim:
-        """Aimed along (dx, dy) in table directions."""
+        """Aimed along (dx, dy), in the table's directions."""
         return replace(self, angle=math.degrees(math.atan2(dy, dx)) % 360.0)
 
     def turned(self, degrees: float) -> Aim:
+        """Turned counter-clockwise by so many degrees."""
         return replace(self, angle=(self.angle + degrees) % 360.0)
 
     def with_spin(self, side: float, height: float) -> Aim:
-        """With the tip set there, or as far out that way as it may be."""
+        """With the tip at (side, height), in ball radii, or as far out that way as is allowed."""
         offset = math.hypot(side, height)
         shrink = MAX_OFFSET / offset if offset > MAX_OFFSET else 1.0
         return replace(self, side=round(side * shrink, 3), height=round(height * shrink, 3))
 
     def with_elevation(self, degrees: float) -> Aim:
+        """With the butt raised so many degrees, within what is allowed."""
         return replace(self, elevation=min(max(round(degrees, 1), 0.0), MAX_ELEVATION))
 
     def with_speed(self, speed: float) -> Aim:
+        """With the speed of a stroke by key, m/s, within what is allowed."""
         return replace(self, speed=min(max(round(speed, 2), MIN_SPEED), MAX_SPEED))
 
 

@@ -1,4 +1,4 @@
-"""Arranging balls between shots: which there are, where one has room, and a shot to play once more."""
+"""Arranging balls by hand in practice: which can be added, where there is room, and setting a shot up again."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _RING = 0.5
 
 
 def missing(table: Table, layout: Layout) -> list[str]:
-    """The balls of the table's set that are not on it, the lowest number first."""
+    """The ids of the table's set of balls that are not on the table, the lowest number first."""
     here = {ball.id for ball in layout.on_table()}
     balls = dict.fromkeys((table.furniture.cue, *table.furniture.balls))
     return sorted((ball for ball in balls if ball not in here), key=lambda ball: int(ball) if ball.isdecimal() else 0)
 
 
 def room_near(table: Table, layout: Layout, ball: Ball) -> Point | None:
-    """The place nearest to where a ball is that has room for it; None where there is none on the table."""
+    """The place nearest to a ball's own where it has room, m; None where the table has none."""
     radius = table.body_of(ball)[0]
     for x, y in _places(table, ball.x, ball.y, _RING * radius):
         if table.has_room(x, y, radius, layout, ignore=ball.id):
@@ -33,7 +33,7 @@ def room_near(table: Table, layout: Layout, ball: Ball) -> Point | None:
 
 
 def latest(session: Session) -> tuple[Layout, Shot] | None:
-    """The balls before the last stroke, wherever they have been put since, and the shot; None before the first."""
+    """The layout before the last stroke, wherever the balls are now, and its shot; None before the first."""
     for moment in reversed(session.match.history):
         if moment.rollout is not None and isinstance(moment.action, Stroke):
             return moment.rollout.start, moment.action.shot
@@ -41,13 +41,13 @@ def latest(session: Session) -> tuple[Layout, Shot] | None:
 
 
 def mirrored_shot(shot: Shot, ends: bool = False) -> Shot:
-    """The shot seen in the mirror that `placing.mirrored` holds up to the balls."""
+    """The shot mirrored as `placing.mirrored` mirrors the balls: sides swapped, or with `ends` the ends."""
     angle = 180.0 - shot.angle if ends else -shot.angle
     return replace(shot, angle=angle % 360.0, side=-shot.side if shot.side else 0.0)
 
 
 def _places(table: Table, x: float, y: float, step: float) -> Iterator[Point]:
-    """Points on rings round (x, y), from the middle outward, as far as the table goes."""
+    """Points on rings round (x, y), m, from the middle outward, `step` apart, as far as the table goes."""
     yield x, y
     size = table.knobs.table
     for ring in range(1, math.ceil(math.hypot(size.length, size.width) / step) + 1):

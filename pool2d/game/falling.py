@@ -1,4 +1,4 @@
-"""Balls on their way down into a pocket, and the order in which they fell: functions of a rollout and a time."""
+"""Balls that sink into a pocket, and the order in which they fell: functions of a rollout and a time."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _OVER = (0.06, 0.2)
 
 
 class Fall(NamedTuple):
-    """A ball in a hole: its place in m, how far down it is, from 0 at the rim to 1 out of sight, and how it lies."""
+    """A ball sinking: its place, m; `depth` from 0 at the rim to 1 out of sight; its orientation."""
 
     ball: str
     x: float
@@ -27,7 +27,7 @@ class Fall(NamedTuple):
 
 
 def falling(rollout: Rollout, turning: BallRotation, pockets: Sequence[Pocket], t: float) -> list[Fall]:
-    """The balls on their way down `t` seconds into the shot, which may be past its end; the lowest first."""
+    """The balls that are sinking `t` s into the shot, which may be past its end; the deepest first."""
     holes = {pocket.name: pocket for pocket in pockets}
     return [
         _fall(event, holes[event.where], turning, t - event.t)
@@ -37,17 +37,17 @@ def falling(rollout: Rollout, turning: BallRotation, pockets: Sequence[Pocket], 
 
 
 def fallen(rollout: Rollout, t: float = math.inf) -> list[str]:
-    """The balls that are down and out of sight `t` seconds into the shot, in the order in which they fell."""
+    """The balls that are out of sight `t` s into the shot, in the order in which they fell."""
     return [event.balls[0] for event in _drops(rollout) if event.t + DROP <= t]
 
 
 def ending(rollout: Rollout) -> float:
-    """When the shot is over for the eye, s: the balls at rest and none still on its way down."""
+    """When there is nothing more to see of the shot, s: all balls rest and none is sinking."""
     return max([rollout.duration, *(event.t + DROP for event in _drops(rollout))])
 
 
 def settling(rollout: Rollout) -> float:
-    """When the last ball has come to its place, s; it may spin on there."""
+    """When the last ball has reached its place, s; it may still spin there."""
     stops = [event.t for event in rollout.events if event.kind != "spin_end"]
     return max([0.0, *stops, *(event.t + DROP for event in _drops(rollout))])
 

@@ -1,4 +1,4 @@
-"""What a layout does not say of its balls: how each lies, and in which order they fell."""
+"""What a layout does not hold: each ball's orientation, and the order in which balls were pocketed."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ _TILT, _SKEW = 0.75, 1.1
 
 
 class BallStates(NamedTuple):
-    """How each ball lies, and the pocketed balls in the order of their fall."""
+    """The orientation of each ball, and the pocketed balls in the order in which they fell."""
 
     orientations: dict[str, Quaternion]
     pocketed: list[str]
 
 
 class OrientationTracker:
-    """Carries from shot to shot how the balls lie and in which order they fell.
+    """Carries the balls' orientations, and the order in which they fell, from shot to shot.
 
-    A shot is a value, and so is how its balls turn: it starts from where the shot shown before it ended,
-    and is remembered as long as the shot is. Without a shot the balls lie as racked.
+    How the balls of a shot turn is a value like the shot: it starts from where the shot shown before it has ended,
+    and is remembered as long as the shot exists. Without a shot the balls lie as racked.
     """
 
     def __init__(self) -> None:
@@ -38,7 +38,7 @@ class OrientationTracker:
         self._racked: tuple[Layout, BallStates] | None = None
 
     def states(self, layout: Layout, rollout: Rollout | None = None, t: float = math.inf) -> BallStates:
-        """The balls of `layout`, to which `rollout` has led `t` seconds after its start."""
+        """The states of the balls of `layout`, which is that of `rollout`, if any, `t` s after its start."""
         if rollout is None:
             return self._rack(layout)
         shot = self._shots.get(rollout)
@@ -53,7 +53,10 @@ class OrientationTracker:
         return BallStates(shot.turning.orientations(t), down)
 
     def follow(self, before: Moment, rollout: Rollout, last: Moment | None) -> None:
-        """Let the balls of a stroke, played from the moment `before`, lie as the `last` stroke, if any, left them."""
+        """Start the stroke `rollout`, played from the layout of `before`, with the orientations that `last` left.
+
+        `last` is the moment of the stroke before it, None for the first.
+        """
         if last is not None and last.rollout is not None:
             self.states(last.rollout.start, last.rollout)
         racked = last is None or before.state.racks != last.state.racks
@@ -62,7 +65,7 @@ class OrientationTracker:
         self.states(rollout.start, rollout)
 
     def rotation(self, rollout: Rollout) -> BallRotation:
-        """How the balls of a shot that has been shown turn."""
+        """How the balls of a shot turn; raises KeyError for a shot that has not been shown."""
         return self._shots[rollout].turning
 
     def _before(self, start: Layout) -> BallStates:
@@ -90,7 +93,7 @@ class OrientationTracker:
 
 
 class _Shot(NamedTuple):
-    """How a shot's balls turn, the balls that were down before it in order, those that fell, and how it ended."""
+    """A shot that was shown: how its balls turn, those pocketed before it and by it, and how it ended."""
 
     turning: BallRotation
     before: list[str]
@@ -99,7 +102,7 @@ class _Shot(NamedTuple):
 
 
 def racked_orientations(layout: Layout) -> dict[str, Quaternion]:
-    """How the balls of a rack lie: askew, their numbers mostly to be seen; the same for the same rack."""
+    """The orientations of racked balls: askew, numbers mostly in sight; the same for the same layout."""
     orientations = {}
     for ball in layout.values():
         rng = random.Random(f"{ball.id} {ball.x!r} {ball.y!r}")
@@ -110,14 +113,14 @@ def racked_orientations(layout: Layout) -> dict[str, Quaternion]:
 
 
 def _order(known: list[str], layout: Layout) -> list[str]:
-    """The pocketed balls of a layout: those whose fall is known in that order, before them the others."""
+    """The pocketed balls of a layout in the order in which they fell; first those of which it is not known."""
     down = _pocketed(layout)
     order = [ball for ball in known if ball in down]
     return [ball for ball in down if ball not in order] + order
 
 
 def _moved(before: Layout, after: Layout) -> int:
-    """How many balls are elsewhere than before."""
+    """How many balls of `after` are not where `before` has them."""
     places = {ball.id: (ball.x, ball.y) for ball in before.values()}
     return sum(places.get(ball.id) != (ball.x, ball.y) for ball in after.values())
 

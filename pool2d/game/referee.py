@@ -1,9 +1,9 @@
-"""How a report is made of a shot: what a referee who watches it would notice.
+"""The referee: makes a `Report` of a rollout, of what somebody who watches the shot would notice.
 
-Of what a referee looks for the engine cannot show: a tip that strikes the cue ball twice or follows it (the
-cue is gone once it has struck; only a ball met while a tip would still be on the cue ball is seen), a ball
-moved by hand, cloth or sleeve, feet, turns and time. Balls stay on the bed, so none jumps off it yet; a
-report can say so all the same.
+What the engine cannot show, no report tells: a tip that strikes the cue ball twice or pushes it (the cue is gone
+once it has struck; only a ball that is met while a tip would still be on the cue ball is seen), a ball moved by
+hand, cloth or sleeve, feet, turns and time. Balls stay on the bed, so none jumps off it yet; a report can say so
+all the same.
 """
 
 from __future__ import annotations

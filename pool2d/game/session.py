@@ -1,4 +1,4 @@
-"""What the window plays: a match or practice, and its record, if one is kept."""
+"""A session: what is played in the window, a match or practice, with its record if one is kept."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ PRACTICE = "practice"
 
 
 class Session:
-    """A match as hands play it: shots, balls in hand, choices, and the way back.
+    """A match as the window plays it: shots, cue ball in hand, choices, undo and redo.
 
-    With a `recorder` every action is written; practice is not recorded.
+    With a `recorder` every action is written to the disk; practice has none.
     """
 
     def __init__(self, match: Match, recorder: Recorder | None = None) -> None:
@@ -79,7 +79,7 @@ class Session:
 
     @property
     def given(self) -> bool:
-        """Whether a foul has given the cue ball, which lies on the table, into the hand, and nobody has put it down."""
+        """Whether a foul has given the cue ball in hand while it lies on the table, and nobody has placed it yet."""
         now = self.match.now
         played = not self.is_practice and self.match.state.shots > 0 and not placing(now)
         return played and self.ask.kind == AIM and self.movable
@@ -98,7 +98,7 @@ class Session:
 
     @property
     def rollout(self) -> Rollout | None:
-        """What the last stroke did."""
+        """The rollout of the last stroke; None where there was none."""
         return None if self.last is None else self.last.rollout
 
     @property
@@ -114,7 +114,7 @@ class Session:
 
     @property
     def left(self) -> int:
-        """How many balls besides the cue ball are still on the table."""
+        """How many object balls are on the table."""
         cue = self.cue.id
         return sum(ball.id != cue for ball in self.layout.on_table())
 
@@ -164,7 +164,7 @@ class Session:
         self.arrange(self.table.rack(name or next(iter(self.table.furniture.racks)), seed))
 
     def undo(self) -> bool:
-        """Go back to before the last action, placing aside; False where there is nothing to go back to."""
+        """Undo the last action, and with it how the cue ball was placed since; False where there is nothing to undo."""
         undone = False
         while True:
             last = self.match.now
@@ -175,7 +175,7 @@ class Session:
                 return True
 
     def redo(self) -> bool:
-        """Go on to what was last taken back; False where nothing was, or something else was played since."""
+        """Redo what was last undone; False where nothing was, or something else was played since."""
         done = (self.recorder or self.match).redo()
         while done and placing(self.match.now) and (self.recorder or self.match).redo():
             pass
@@ -191,7 +191,7 @@ class Session:
         self.match.change_table(table)
 
     def leave(self) -> None:
-        """Let go of the record; the match can be continued. One that nobody began leaves none."""
+        """Close the record, so that the match can be continued later; a record without any action is deleted."""
         if self.recorder is not None:
             self.recorder.close()
             if not self.recorder.begun:
@@ -205,7 +205,7 @@ class Session:
 
 
 def placing(moment: Moment) -> bool:
-    """Whether a moment is that of a cue ball that was put down."""
+    """Whether a moment came of placing the cue ball."""
     return isinstance(moment.action, Choice) and moment.action.key == "place"
 
 

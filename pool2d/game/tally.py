@@ -1,4 +1,4 @@
-"""What is counted of a player through a match."""
+"""The numbers of a player through a match: frames, points, strokes, runs."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from .rules.report import Report
 
 @dataclass(frozen=True, slots=True)
 class Tally:
-    """One player's numbers.
+    """The numbers of one player through a match.
 
-    `innings` counts visits to the table. `run` is what the last strokes of the present visit have brought, in
-    points, or in balls where the game has no points; `best` the highest of the match. `pots` are the balls that count
-    (`Rules.pots`). `points` are those of all frames.
+    `innings` are visits to the table. `run` is what the present visit has made without a break, in points, or in
+    balls where the game has none; `best` the highest run. `pots` are the balls that count as potted (`Rules.pots`).
+    `points` are those of all frames.
     """
 
     frames: int = 0
@@ -31,7 +31,7 @@ class Tally:
 def after_stroke(
     tallies: tuple[Tally, ...], player: int, again: bool, rules: Rules[Any], ruling: Ruling, report: Report
 ) -> tuple[Tally, ...]:
-    """The tallies after a stroke of `player`; `again` where the visit goes on."""
+    """The tallies after a stroke of `player`; `again` where the visit to the table goes on from the stroke before."""
     mine = tallies[player]
     pots = len(rules.pots(player, report, ruling))
     counted = ruling.points[player] if rules.scored else pots

@@ -34,7 +34,7 @@ _SCORES = 1_000_000_000
 
 
 def told(moment: Moment) -> dict[str, Any]:
-    """What a line tells of a moment, in JSON's types."""
+    """A moment as a record's line holds it, in JSON's types."""
     ruling, report = moment.ruling, moment.report
     fell = [[c.ball, c.other] for c in report.contacts if c.kind == POCKET] if report is not None else []
     return {
@@ -52,12 +52,12 @@ def told(moment: Moment) -> dict[str, Any]:
 
 
 def tells(data: Mapping[str, Any]) -> bool:
-    """Whether a line tells the moment; records of earlier versions tell a digest of it only."""
+    """Whether a line holds its moment whole; lines of earlier versions hold a digest only."""
     return BALLS in data
 
 
 def stamp(data: Mapping[str, Any]) -> str:
-    """A digest of what a line tells of where the match stands."""
+    """A digest of those parts of a line that say where the match stands."""
     said = json.dumps([data.get(key) for key in (BALLS, GAME, TALLIES, TURN)], sort_keys=True)
     return hashlib.sha256(said.encode()).hexdigest()[:16]
 
@@ -82,7 +82,7 @@ def moment_of(data: Mapping[str, Any], match: Match, source: str) -> Moment:
 
 
 def same(a: Moment, b: Moment) -> bool:
-    """Whether a match stands the same at two moments, whatever was said."""
+    """Whether a match stands the same at two moments; what the referee said is not compared."""
 
     def counts(moment: Moment) -> tuple[object, ...]:
         return moment.state, moment.layout, moment.tallies, moment.breaker, moment.frame, moment.shooter

@@ -81,7 +81,7 @@ class Record:
 
     @property
     def outdated(self) -> str:
-        """What has become of the preset since: CHANGED, GONE, where it cannot be read, or "" where it is the same."""
+        """What the table's preset has become since: CHANGED, GONE where it cannot be read, "" where it is the same."""
         if not is_whole(self.place):
             return ""
         try:

@@ -1,4 +1,4 @@
-"""A record as it is looked at: its strokes, worked out one by one, ahead of whoever looks."""
+"""The strokes of a record, for looking at them: worked out one by one, ahead of whoever looks."""
 
 from __future__ import annotations
 

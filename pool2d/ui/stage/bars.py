@@ -63,12 +63,12 @@ def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: floa
 
 
 def bearing(angle: float) -> str:
-    """A direction in degrees; what would be rounded to a full turn is none."""
+    """A direction in degrees as text, from 0 to below 360 also after rounding."""
     return words.number(round(angle, 2) % 360.0, ".2f") + "\N{DEGREE SIGN}"
 
 
 def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color, taken: int = 0) -> None:
-    """The message, in as many lines as it needs and the bar has; `taken` pixels of its room are not free."""
+    """The message in the lower bar, wrapped into what room there is, less `taken` pixels of its width."""
     box = screen.message
     box.width = max(1, box.width - taken)
     pitch = text.font(screen.small).get_linesize()
@@ -81,7 +81,7 @@ def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: t
 
 @lru_cache(maxsize=4)
 def _diagrams(screen: Screen, side: float, height: float, elevation: float, limit: float) -> pygame.Surface:
-    """The left part of the lower bar, with both diagrams; drawn once for each aim."""
+    """The left part of the lower bar with the ball and cue diagrams; drawn once for each aim, then remembered."""
     bar, aim = screen.bottom, Aim(side=side, height=height, elevation=elevation)
     surface = pygame.Surface((screen.cue_diagram.right + screen.unit, bar.height))
     surface.fill(theme.PANEL[:3])

@@ -1,4 +1,4 @@
-"""How near the table is seen, and which part of it: zoom at the pointer, and pan."""
+"""The camera: how near the table is seen and which part of it, by zoom and pan."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ Pos = tuple[int, int]
 
 
 class Camera:
-    """A view of the table within an area of the window (left, top, width, height).
+    """What part of the table shows in an area of the window, (left, top, width, height) in pixels.
 
-    `home` shows the whole table, `target` is where the camera is going and `view` where it is now. Each is a
-    View, and `view` glides along the straight line between them: what a zoom keeps under the pointer stays there.
-    `keys` is what keys do, by the names of their actions.
+    `home` is the view of the whole table, `target` where the camera is going, `view` where it is now: each a
+    `View`. `view` glides along the straight line to `target`, so what a zoom keeps under the pointer stays there
+    all the way. `keys` are the camera's actions by name.
     """
 
     def __init__(self) -> None:
@@ -47,11 +47,14 @@ class Camera:
 
     @property
     def settled(self) -> bool:
-        """Whether the camera has come to where it is going."""
+        """Whether the camera has reached its target."""
         return self.view == self.target
 
     def fit(self, home: View, size: tuple[float, float], area: Area) -> None:
-        """Take the view of the whole table of `size` m; another than before keeps the zoom and the middle."""
+        """Take `home`, the view of a whole table of `size` m, and the area of the window, in pixels.
+
+        Where they differ from before, the zoom and the point in the middle are kept.
+        """
         if (home, size, area) == (self.home, self._size, self._area):
             return
         zoom, middle = self.target.scale / self.home.scale, self.target.to_table(*_middle(self._area))
@@ -63,7 +66,7 @@ class Camera:
         self.view = self.target
 
     def handle(self, event: pygame.event.Event, mod: int) -> bool:
-        """Zoom by Ctrl and the wheel, pan by dragging with the middle button; whether the event was meant for that."""
+        """Zoom by Ctrl and the wheel, pan by the middle button; returns whether the camera had a use for the event."""
         if event.type == pygame.MOUSEMOTION:
             self._pointer = event.pos
             if self._grip is None:
@@ -86,7 +89,7 @@ class Camera:
         self._grip = None
 
     def zoom(self, notches: float) -> None:
-        """Go nearer, or away for a negative number; the point under the pointer stays there, or else the middle."""
+        """Zoom in by so many notches of the wheel, out where negative, about the pointer, or the middle without one."""
         left, top, width, height = self._area
         at = _middle(self._area)
         if self._pointer is not None and pygame.Rect(left, top, width, height).collidepoint(self._pointer):
@@ -103,7 +106,7 @@ class Camera:
         self.target = self.home
 
     def update(self, dt: float, eased: bool) -> None:
-        """Let the view glide to its target, or put it there."""
+        """Let `dt` s pass: the view glides toward its target, or without `eased` is there at once."""
         if self.view == self.target:
             return
         part = 1.0 - math.exp(-dt / _EASE)
@@ -118,11 +121,11 @@ class Camera:
             self.view = there
 
     def _look(self, right: float, down: float) -> None:
-        """Move the view by a part of the area."""
+        """Move the view by a part of the area's width to the right and of its height down."""
         self.pan(-right * self._area[2], -down * self._area[3])
 
     def _go(self, scale: float, x: float, y: float, px: float, py: float) -> None:
-        """Set out for a scale, with the table's point (x, y) at the pixel (px, py), as far as that is sensible."""
+        """Head for a scale, pixels per m, with the table's point (x, y) at the pixel (px, py), within bounds."""
         scale = min(max(scale, self.home.scale), MAX_ZOOM * self.home.scale)
         left, top, width, height = self._area
         across = _within(px - x * scale, left, width, self._size[0] * scale, FRAME * scale)
@@ -131,7 +134,10 @@ class Camera:
 
 
 def _within(start: float, low: float, room: float, size: float, margin: float) -> float:
-    """Where something of `size` may start: with its margins it fills the room, or where it cannot is in its middle."""
+    """Where the picture of the table may start along one axis, in pixels, if it would start at `start`.
+
+    With its margins it has to fill the room from `low` on; where it is too small for that, it is put in the middle.
+    """
     if size + 2.0 * margin <= room:
         return low + (room - size) / 2.0
     return min(max(start, low + room - size - margin), low + margin)

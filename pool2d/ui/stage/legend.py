@@ -1,4 +1,4 @@
-"""What the arrows on the balls mean."""
+"""The legend of the arrows: which colour means what."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ LEGEND = ((SPEED, "speed"), (ROLL, "roll"), (SIDE, "side"), (CUE, "cue"))
 
 
 def draw_legend(surface: pygame.Surface, screen: Screen) -> pygame.Rect:
-    """Say what the colours mean, above the lower bar in the margin on the left; returns its place."""
+    """Draw the legend at the lower left, above the bar; returns its rectangle, in pixels."""
     unit, size = screen.unit, screen.small
     pitch = text.font(size).get_linesize()
     told = [(color, say(f"vectors.{name}")) for color, name in LEGEND]

@@ -1,4 +1,4 @@
-"""A shot on the screen: which moment of it is shown, and how the time of it goes on."""
+"""Playback: which moment of a shot is shown, and how fast its time passes."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ _FAST = 8.0
 
 
 class Playback:
-    """A rollout at a moment, `time`, in s; below 0 the cue has not yet met the ball.
+    """A rollout that is being shown: `time` is the moment on the screen, s; below 0 the cue has not met the ball yet.
 
-    `end` is when the balls rest and the last that fell is out of sight. `again` says that the shot was seen
-    before, `review` that its time line is out. Once the player has taken hold of it (`kept`), it stays at its
-    end until it is left. `fast` multiplies the rate, which is one of RATES; so does, without a time line, that
-    nothing moves from its place any more: a ball may spin on for many seconds.
+    `end` is when all balls rest and the last pocketed one is out of sight. `again`: the shot was seen before.
+    `review`: the time line is shown. `kept`: the player has held or moved it, so it stays on its last moment until
+    it is left. The time passes at one of RATES, faster while `fast`; and, without a time line, faster once no ball
+    changes its place any more, as a ball may spin on for many seconds.
     """
 
     def __init__(self, rollout: Rollout, shot: Shot | None, lead: float = 0.0, again: bool = False) -> None:
@@ -39,17 +39,17 @@ class Playback:
 
     @property
     def over(self) -> bool:
-        """Whether there is nothing more to show."""
+        """Whether the playback is done with, and the scene goes on."""
         return self.ended and not self.kept
 
     @property
     def running(self) -> bool:
-        """Whether the next frame shows a later moment."""
+        """Whether its time passes: the next frame shows a later moment."""
         return not (self.paused or self.ended)
 
     @property
     def still(self) -> bool:
-        """Whether it shows the same moment until a hand does something."""
+        """Whether it shows the same moment until the player does something."""
         return self.kept and not self.running
 
     @property
@@ -58,18 +58,18 @@ class Playback:
         return None if self._index < 0 else self.rollout.events[self._index]
 
     def update(self, dt: float) -> None:
-        """Let `dt` seconds pass."""
+        """Let `dt` s pass in the window."""
         if self.running:
             self._at = None
             fast = self.fast or (self.time >= self._settled and not self.review)
             self.time = min(self.time + dt * self.rate * (_FAST if fast else 1.0), self.end)
 
     def pause(self) -> None:
-        """Hold it, with its time line out."""
+        """Stop its time and show the time line."""
         self.review = self.kept = self.paused = True
 
     def toggle(self) -> None:
-        """Hold it or let it run; from its end it runs again from the beginning."""
+        """Stop its time, or let it pass again; from its end it begins anew."""
         if self.ended:
             self.seek(0.0)
             self.paused = False
@@ -78,19 +78,19 @@ class Playback:
         self.review = self.kept = True
 
     def change_rate(self, steps: int) -> None:
-        """Go so many rates faster, or slower for a negative number."""
+        """Take a rate so many steps faster, or slower for a negative number."""
         at = min(max(RATES.index(self.rate) + steps, 0), len(RATES) - 1)
         self.rate = RATES[at]
         self.kept = True
 
     def seek(self, t: float) -> None:
-        """Show the moment `t`."""
+        """Show the moment `t`, s."""
         self.time = min(max(t, 0.0), self.end)
         self.kept = True
         self._at = None
 
     def step(self, by: int) -> None:
-        """Hold it at the next event, or the one before for -1."""
+        """Stop at the next event, or for -1 at the one before."""
         before, last = self._index, len(self.rollout.events) - 1
         between = by < 0 and before >= 0 and self.rollout.events[before].t < self.time
         at = min(max(before if between else before + by, 0), last)
@@ -100,7 +100,7 @@ class Playback:
         self.pause()
 
     def leave(self) -> None:
-        """Go to the end, and be over."""
+        """Skip to the end, and be over."""
         self.time = self.end
         self.kept = False
 

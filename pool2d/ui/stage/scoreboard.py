@@ -1,4 +1,4 @@
-"""The players of a match in the upper bar: names, frames, points, groups, and whose turn it is."""
+"""The players in the upper bar: names, frames, points, groups, and whose turn it is."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _has_turn(moment: Moment, player: int) -> bool:
 def _line(
     surface: pygame.Surface, screen: Screen, parts: Sequence[Part], start: tuple[int, int], room: int
 ) -> None:  # fmt: skip
-    """Draw what is told of a player from an edge into a direction, as much as there is room for."""
+    """Draw a player's parts from an x (to the right for side 1, to the left for -1), `room` pixels wide at most."""
     edge, side = start
     x = edge
     for words, size, color in parts:
@@ -55,7 +55,7 @@ def _line(
 
 
 def _parts(match: Match, moment: Moment, player: int, turn: bool, screen: Screen) -> list[Part]:
-    """What is told of a player, from the edge inward: points, name, the rest; one who has the turn stands out."""
+    """A player's texts, from the edge inward: points, name, details; the name is lit while it is their turn."""
     state = moment.state
     parts: list[Part] = []
     if match.rules.scored:
@@ -66,7 +66,7 @@ def _parts(match: Match, moment: Moment, player: int, turn: bool, screen: Screen
 
 
 def _details(match: Match, moment: Moment, player: int, turn: bool) -> list[str]:
-    """What else stands for a player: of the fields that games add to their states those that are there."""
+    """A player's details: group, frames, innings, run and so on, as far as the game's state has them."""
     state, tally = moment.state, moment.tallies[player]
     told = []
     if group := getattr(state, "groups", ("", ""))[player]:

@@ -1,4 +1,4 @@
-"""The time line of a shot that is seen again: it stands in the lower bar, and lets one go through the shot."""
+"""The time line in the lower bar, by which a player goes through a shot that is shown again."""
 
 from __future__ import annotations
 
@@ -43,7 +43,11 @@ _NEAR = 0.75
 
 
 class Timeline:
-    """The hands on a playback: `handle` takes the events that are meant for it. `hover` is where the pointer is."""
+    """The controls of a playback: the line with a mark for each event, and the buttons.
+
+    `handle` takes the events that are meant for it; `hover` is where the pointer is, in pixels, None off the
+    window.
+    """
 
     def __init__(self) -> None:
         self.hover: Pos | None = None
@@ -64,18 +68,18 @@ class Timeline:
     # Where things are.
 
     def place(self, screen: Screen, panel: int) -> None:
-        """Take the window's size, less `panel` pixels on the right."""
+        """Lay it out for a window, less `panel` pixels on the right."""
         self._screen, self._room = screen, screen.width - panel
 
     @property
     def track(self) -> pygame.Rect:
-        """The line itself."""
+        """The rectangle of the line itself, in pixels."""
         unit = self._screen.unit
         top = self._screen.bottom.top + unit * 3 // 2
         return pygame.Rect(2 * unit, top, max(1, self._room - 4 * unit), max(2, unit // 2))
 
     def button(self, action: str) -> pygame.Rect:
-        """The place of a button, by its action."""
+        """The rectangle of a button, by its action."""
         unit = self._screen.unit
         left = 2 * unit + list(self._do).index(action) * 7 * unit // 2
         # The rate is written between its two buttons.
@@ -85,13 +89,13 @@ class Timeline:
         return pygame.Rect(left, self._screen.bottom.top + unit * 9 // 2, 3 * unit, 3 * unit)
 
     def x_of(self, t: float, shown: Playback) -> float:
-        """Where on the line a moment is, in pixels."""
+        """The x on the line, in pixels, of the moment `t`, s."""
         return self.track.left + self.track.width * max(t, 0.0) / max(shown.end, 1e-9)
 
     # Hands.
 
     def begin(self, pointer: Pos | None) -> None:
-        """The time line comes out, with the pointer where it is."""
+        """Show the time line; `pointer` is where the pointer is at that time."""
         self.hover = pointer
         self.let_go()
 
@@ -100,7 +104,7 @@ class Timeline:
         self._scrubbing = False
 
     def handle(self, event: pygame.event.Event, shown: Playback) -> bool:
-        """Take an event that is meant for the time line; False for any other."""
+        """Take an event; returns whether the time line had a use for it."""
         if event.type == pygame.KEYDOWN:
             action = KEYS.get(event.key)
             if action is not None:
@@ -144,7 +148,7 @@ class Timeline:
         return self.track.inflate(2 * reach, 2 * reach).collidepoint(pos)
 
     def pointed(self, shown: Playback) -> Event | None:
-        """The event whose mark is under the pointer; of several a contact, and the nearest."""
+        """The event whose mark is under the pointer, contacts before changes of phase, the nearest of them."""
         if self.hover is None or self._scrubbing or not self._on_track(self.hover):
             return None
         x = self.hover[0]
@@ -196,7 +200,7 @@ class Timeline:
         text.draw(surface, rate, self._screen.small, theme.TEXT, middle, (0.5, 0.5))
 
     def _draw_words(self, surface: pygame.Surface, event: Event | None, shown: Playback, table: Table) -> None:
-        """The moment, and the event in words: a title with its numbers, then its balls."""
+        """Draw the moment and its event in words: a title with numbers, then a line for each ball."""
         unit, size = self._screen.unit, self._screen.small
         left = self.button("leave").right + 2 * unit
         right = self.track.right
@@ -230,7 +234,7 @@ def _mark(surface: pygame.Surface, x: int, track: pygame.Rect, half: int, color:
 
 
 def _symbol(surface: pygame.Surface, action: str, box: pygame.Rect) -> None:
-    """What a button does, drawn in it: the signs of any player of films."""
+    """Draw a button's symbol: the usual ones of media players."""
     x, y, r = box.centerx, box.centery, box.height * 0.22
     color = theme.TEXT
 
