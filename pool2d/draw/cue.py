@@ -1,7 +1,7 @@
-"""The cue, seen from above, and the shadow it casts.
+"""The cue seen from above, and its shadow.
 
-A skin holds what the cue looks like along and across, finer than the screen. Laid at any angle, each
-pixel near the cue's line takes what the skin has at its place: crisp, and a matter of some thousand pixels.
+How the cue looks along and across is painted once, finer than the screen: its skin. To draw it at any angle, each
+pixel near the cue's line takes the skin's colour at its place, which is a matter of some thousand pixels.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ _EVEN, _ODD = np.uint32(0x00FF00FF), np.uint32(0xFF00FF00)
 
 @dataclass(frozen=True, slots=True)
 class _Skin:
-    """Samples by place along and across: colour times cover, as a pixel, and what is left of the ground, of 256.
+    """The cue's look or its shadow, by place along and across: `fine` samples for each metre across.
 
-    `fine` is how many samples there are across for each metre.
+    A sample holds a packed pixel, the colour times its cover, and how much of the ground still shows, of 256.
     """
 
     light: Pixels
@@ -55,9 +55,9 @@ class _Skin:
 def draw(
     surface: pygame.Surface, table: Table, ball: Ball, aim: Aim, back: float, view: View, seen: float = 1.0
 ) -> None:
-    """The cue behind a ball, drawn `back` m away from it, its tip where the aim's side has it.
+    """Draw the cue behind a ball, its tip `back` m away from it and where the aim's side and height have it.
 
-    `seen` below 1 lets the table through. The surface has 32 bits a pixel, as every window has.
+    `seen` from 0 to 1 is how solid it is. The surface has to have 32 bits a pixel, as a window has.
     """
     radius = table.body_of(ball)[0]
     angle, raised = math.radians(aim.angle), math.radians(aim.elevation)
@@ -84,7 +84,7 @@ def draw(
 
 
 def _scale(scale: float) -> int:
-    """The scale a skin is made for: one of a few, so that a camera on its way finds most of them made."""
+    """The scale, pixels per m, of the skin to use: one of a few, so that a moving camera finds most of them made."""
     return round(math.pow(2.0, round(_SCALES * math.log2(scale)) / _SCALES))
 
 
@@ -117,7 +117,7 @@ def _lay(
 
 
 def _dimmed(pixels: Pixels, part: Pixels | np.uint32) -> Pixels:
-    """Pixels with so much of each byte, of 256."""
+    """Packed pixels with each byte multiplied by `part` of 256."""
     even = (((pixels & _EVEN) * part) >> 8) & _EVEN
     odd = (((pixels & _ODD) >> 8) * part) & _ODD
     return np.asarray(even | odd, np.uint32)
@@ -126,7 +126,7 @@ def _dimmed(pixels: Pixels, part: Pixels | np.uint32) -> Pixels:
 def _near(
     tip: tuple[float, float], butt: tuple[float, float], half: float, size: tuple[int, int]
 ) -> tuple[Array, Array]:
-    """The pixels within `half` of the line from tip to butt, and few others: x and y, neighbours in x side by side."""
+    """The pixels within `half` of the line from tip to butt, and a few more, as arrays of x and of y."""
     steep = abs(butt[0] - tip[0]) < abs(butt[1] - tip[1])
     (ax, ay), (bx, by) = (tip[::-1], butt[::-1]) if steep else (tip, butt)
     slope = (by - ay) / (bx - ax)

@@ -1,4 +1,4 @@
-"""The cue as it strikes: where it is at each moment round the time 0, when it meets the ball."""
+"""The cue as it strikes: where it is at each moment around the time 0, at which it meets the ball."""
 
 from __future__ import annotations
 
@@ -20,19 +20,22 @@ _FOLLOW, _FADE = 0.09, 0.22
 
 
 def stand(drawn: float) -> float:
-    """How far the cue stands back from the ball, m, drawn back by a part of a full pull."""
+    """How far the cue stands back from the ball, m, when drawn back by a part, 0 to 1, of a full pull."""
     return REST + (FULL - REST) * drawn
 
 
 def lead(drawn: bool, effects: Effects) -> float:
-    """How long before the contact a shot is shown, s; `drawn` where a hand has drawn the cue back already."""
+    """How long before the contact a shot is shown, s.
+
+    `drawn`: the player has drawn the cue back already, so only the stroke forward is shown.
+    """
     if not effects.stroke:
         return 0.0
     return FORWARD if drawn else BACK + FORWARD
 
 
 def reach(drawn: float, t: float) -> tuple[float, float]:
-    """How far back the cue is, m, and how much of it is to be seen, 0 to 1, at `t` s after it meets the ball."""
+    """The cue's distance from the ball, m, and how solid it is, 0 to 1, at `t` s after it meets the ball."""
     pulled = stand(drawn)
     if t < -FORWARD:
         return REST + (pulled - REST) * _smooth(1.0 + (t + FORWARD) / BACK), 1.0
@@ -44,7 +47,10 @@ def reach(drawn: float, t: float) -> tuple[float, float]:
 
 
 def draw(surface: pygame.Surface, table: Table, ball: Ball, shot: Shot, t: float, view: View) -> bool:
-    """Draw the cue of a shot at time `t`; `ball` is the cue ball where it was struck. Whether it is to be seen."""
+    """Draw the cue of a shot at `t` s; `ball` is the cue ball where it was struck.
+
+    Returns whether the cue is to be seen at that time.
+    """
     back, seen = reach(drawn_back(shot.speed), t)
     if seen <= 0.0:
         return False

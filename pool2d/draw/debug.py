@@ -32,7 +32,7 @@ _COLORS: dict[str, theme.Color] = {
 
 
 class ScreenPen:
-    """A pen on a surface; `what` is drawn decides the colour."""
+    """A pen that draws on a surface; `what` a line stands for decides its colour."""
 
     def __init__(self, surface: pygame.Surface, view: View) -> None:
         self.surface = surface

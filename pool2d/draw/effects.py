@@ -1,4 +1,4 @@
-"""What may move on the screen besides the balls: a value that the options set."""
+"""Which motion the player wants to see besides the balls', from the settings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the present aim would do, taken from the real simulation, and how it is drawn."""
+"""The guide: what the present aim would do, from the real simulation, and how it is drawn."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ Line = list[tuple[float, float]]
 
 @dataclass(frozen=True, slots=True)
 class Guide:
-    """The ways of a shot in m: the cue ball's to its first contact with a ball, and what follows.
+    """The paths of a shot that is aimed, as points in m.
 
-    `ghost` is the cue ball at that contact; `after` its way on, `object` the way of the ball it hits, to what
-    that meets or to where it rests.
+    The cue ball's to its first contact with a ball; `ghost` is the cue ball there; `after` its path on, `object`
+    that of the ball it hits, up to what that meets or to where it rests.
     """
 
     cue: Line
@@ -47,7 +47,7 @@ class Guide:
 
 @lru_cache(maxsize=4)
 def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
-    """The guide of a rollout; `length` is how far the cue ball is followed after the contact."""
+    """The guide of a rollout; the cue ball is followed for `length` m after the contact."""
     contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))
     if contact is None:
         return Guide(trace(rollout, cue), None, [], [])
@@ -66,7 +66,7 @@ def _meets(event: Event, ball: str) -> bool:
 
 
 def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf, length: float = math.inf) -> Line:
-    """The way of a ball between two times as a line of points, cut after `length` m."""
+    """The path of a ball between two times, s, as points, m; cut off after `length` m."""
     points: Line = []
     track = rollout.tracks[ball]
     ends = [*(motion.t0 for motion in track[1:]), rollout.duration]
@@ -78,7 +78,7 @@ def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf
 
 
 def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
-    """Draw the guide at a level from LINE up."""
+    """Draw as much of the guide as `level` says, from LINE up."""
     scale = _scale(view)
     _line(surface, theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)
     if guide.ghost is None or level < GHOST:
@@ -105,9 +105,9 @@ def draw_whole(
     others: theme.Color | None = None,
     style: theme.Style = theme.PLAIN,
 ) -> None:
-    """Draw every ball's way to its end, and where it comes to rest or into which pocket it falls.
+    """Draw every ball's path to its end, and where it rests or which pocket it falls into.
 
-    The way of the struck ball has the colour `cue`, that of every other one `others`, or else its ball's own.
+    The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own.
     """
     scale = _scale(view)
     struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())

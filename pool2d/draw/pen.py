@@ -55,9 +55,9 @@ def path(surface: pygame.Surface, color: Color, points: Sequence[Point], width: 
 
 
 def _thin(a: Point, b: Point, width: float) -> tuple[_Ints, _Ints, _Floats]:
-    """The pixels of a thin line and how much of each it covers, 0 to 1.
+    """The pixels of a thin line, and how much of each it covers, 0 to 1.
 
-    Along the axis that it is nearer to, it goes pixel by pixel; across, it has in each the height that makes its width.
+    It goes pixel by pixel along the axis that it is nearer to; in each it is as high across as makes its width.
     """
     dx, dy = b[0] - a[0], b[1] - a[1]
     steep = abs(dy) > abs(dx)

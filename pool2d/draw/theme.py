@@ -42,9 +42,9 @@ WAY_OTHER = (150, 190, 240)
 
 @dataclass(frozen=True, eq=False)
 class Palette:
-    """The colours of balls; each of the few palettes is equal to itself alone.
+    """The colours of balls. It is compared by identity: there are few, and they are never copied.
 
-    A ball has the colour that its preset gives, or in another palette than STANDARD that of the nearest hue.
+    A ball has the colour that its preset gives; in any palette but STANDARD that of the nearest hue.
     """
 
     yellow: Color
@@ -124,5 +124,5 @@ def rgb(color: str) -> tuple[int, int, int]:
 
 
 def unit(height: int) -> int:
-    """The grid's pitch, in pixels, for a window of this height: 8 at 720. A tiny window has tiny letters."""
+    """The pitch of the grid, in pixels, that all sizes in a window of this height are counted in: 8 at 720."""
     return max(1, round(height / 90))

@@ -33,14 +33,14 @@ _BOX = 4
 
 
 class Marks(NamedTuple):
-    """When a ball comes by the marks on its way, s, and where on the table they are, m."""
+    """The marks of a ball's trail: the times at which it passes them, s, and their places on the table, m."""
 
     times: list[float]
     places: list[tuple[float, float]]
 
 
 def draw(surface: pygame.Surface, rollout: Rollout, t: float, table: Table, view: View) -> list[pygame.Rect]:
-    """Draw the trail of every ball that moves, or did a moment ago; returns the boxes in which it has drawn."""
+    """Draw the trails of balls that move or have just moved; returns the rectangles drawn in, in pixels."""
     drawn: list[pygame.Rect] = []
     begin, rate = t - LENGTH, (_LEVELS - 1) / LENGTH
     for ball_id, (times, places) in marks(rollout, table).items():
@@ -94,7 +94,7 @@ def _along(track: Sequence[Motion], duration: float, pitch: float) -> Marks:
 
 @lru_cache(maxsize=8)
 def _dabs(radius: int) -> list[pygame.Surface]:
-    """The light of one dab for a ball of `radius` pixels, from faded to fresh."""
+    """The pictures of one mark for a ball of `radius` pixels, from faded to fresh."""
     half = math.ceil(2.5 * _SPREAD * radius)
     across = (np.arange(-half, half + 1) / (_SPREAD * radius)) ** 2
     light = np.exp(-0.5 * (across[:, None] + across[None, :])) * _PITCH / (_SPREAD * math.sqrt(math.tau))

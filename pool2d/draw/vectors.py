@@ -75,7 +75,7 @@ def _head(surface: pygame.Surface, color: theme.Color, a: pen.Point, b: pen.Poin
 
 
 def _axis(surface: pygame.Surface, ball: Ball, roll_x: float, roll_y: float, radius: float, view: View) -> None:
-    """The axis about which the ball turns along the cloth, as a bar across it."""
+    """Draw the axis of a ball's roll, horizontal spin in m/s at the rim, as a bar across it."""
     speed = math.hypot(roll_x, roll_y)
     if speed < _STILL:
         return
@@ -85,7 +85,7 @@ def _axis(surface: pygame.Surface, ball: Ball, roll_x: float, roll_y: float, rad
 
 
 def _arc(surface: pygame.Surface, ball: Ball, side: float, radius: float, view: View) -> None:
-    """The spin about the vertical as an arc round the ball, the way it turns as seen from above."""
+    """Draw the spin about the vertical, m/s at the rim, as an arc round the ball in its sense as seen from above."""
     if abs(side) < _STILL:
         return
     sweep = math.radians(min(max(_PER_SPIN * abs(side) / radius, 40.0), _FURTHEST))

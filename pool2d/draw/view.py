@@ -10,7 +10,10 @@ FRAME = 0.16
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """A scale, in pixels per metre, and the pixel where the table's origin is; y points up on the table."""
+    """Where the table is on a surface: pixels per metre, and the pixel of the table's origin.
+
+    On the table y points up, on the surface down.
+    """
 
     scale: float
     left: float

@@ -1,4 +1,4 @@
-"""The picture of the table behind everything, as any camera sees it, kept sharp without holding anything up."""
+"""The table's picture behind everything, for any camera, kept sharp without holding up a frame."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _NEAR, _NEAREST, _PIXELS = 1.5, 2.0, 6e6
 
 
 class Background:
-    """Shows the table: the whole of it, or a part cut out of a larger picture that is drawn once it is needed."""
+    """The table's picture: of the whole table, or a part cut out of a larger picture, drawn when it is needed."""
 
     def __init__(self) -> None:
         self._whole = _Whole()
@@ -41,10 +41,10 @@ class Background:
     def show(
         self, surface: pygame.Surface, table: Table, home: View, view: View, over: Sequence[pygame.Rect] | None = None
     ) -> bool:
-        """Fill the surface with the table as `view` has it; `home` is the view of the whole of it.
+        """Fill the surface with the table as `view` has it; `home` is the view of the whole table.
 
-        `over` says that the surface still shows what was filled last, and that all drawn since lies in these boxes:
-        then only they are filled, unless the table's picture is another one. Returns whether only they were.
+        `over`: the surface still shows what was filled last, and all that was drawn since lies in these rectangles.
+        Then only they are filled, unless the table's picture has changed. Returns whether only they were.
         """
         picture = self._picture(surface.get_size(), table, home, view)
         before, self._filled = self._filled, (surface, picture)
@@ -88,7 +88,7 @@ def _askew(box: pygame.Rect) -> pygame.Rect:
 
 
 class _Painter:
-    """Draws a picture beside the loop, on a thread of its own; one at a time."""
+    """Draws a picture on a thread of its own, beside the loop; one at a time."""
 
     def __init__(self) -> None:
         self._made: Hashable = None
@@ -114,7 +114,7 @@ def _paint(picture: Future[pygame.Surface], table: Table, size: tuple[int, int],
 
 
 class _Whole:
-    """The picture of the whole table; while the window or the table is being changed, a quick one in its place."""
+    """The picture of the whole table; a quick, rough one while the window or the table is being changed."""
 
     def __init__(self) -> None:
         self._made: Hashable = None
@@ -141,7 +141,7 @@ class _Whole:
         return self._picture
 
     def _change(self, table: Table, size: tuple[int, int], view: View) -> None:
-        """Take a picture that is there already, or else a quick one until things rest."""
+        """Take a picture that is kept already, or a quick one until nothing changes any more."""
         ready = table_picture.kept(table, size, view) if self._picture else table_picture.draw(table, size, view)
         self.settled = False
         if ready:
@@ -160,9 +160,9 @@ class _Whole:
 
 
 def _cut(picture: pygame.Surface, given: View, part: pygame.Surface, view: View, quick: bool = False) -> None:
-    """Draw onto `part` what `view` shows of the table, scaled out of a picture drawn in the view `given`.
+    """Draw onto `part` what `view` shows of the table, scaled out of a picture that was drawn in the view `given`.
 
-    A `quick` one is rough: for a picture that is seen for one frame.
+    A `quick` one is rough, for a picture that is seen for one frame.
     """
     factor = view.scale / given.scale
     left, top = given.to_screen(*view.to_table(0.0, 0.0))

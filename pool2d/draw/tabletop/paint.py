@@ -1,7 +1,7 @@
-"""Painting with light: a strip of a picture as numbers, whose pixels know where on the table they are.
+"""Painting with light: strips of a picture as arrays, whose pixels know where on the table they are.
 
-What is drawn of a table is a list of layers, painted one after the other. A layer is a function of
-place alone, so a picture can be painted in strips, several at once, and is the same however it is cut.
+A table is drawn as a list of layers, one over the other. A layer is a function of place alone, so a picture can be
+painted in strips, several at once, and is the same however it is cut.
 """
 
 from __future__ import annotations
@@ -35,9 +35,10 @@ _TILE: Array = _DICE.reshape(_SIDE, _SIDE)
 
 @dataclass(frozen=True, slots=True)
 class Patch:
-    """Some of a picture: its light as (3, rows, columns), each pixel's place in m, a row of x and a column of y.
+    """A rectangle of a picture: its light (3, rows, columns) and its pixels' places on the table, m.
 
-    `left` and `top` number its first pixel in the picture, which `view` lays on the table.
+    The places are a row of x and a column of y. `left` and `top` are its first pixel in the picture, which `view`
+    lays on the table.
     """
 
     rgb: Array
@@ -71,7 +72,7 @@ class Patch:
         return np.clip(0.5 - distance * self.scale, 0.0, 1.0)
 
     def paint(self, color: Any, cover: Array) -> None:
-        """Lay a colour, or a picture, over what is there, as thick as `cover`."""
+        """Cover what is there with a colour, or a picture, as far as `cover`, 0 to 1, says."""
         for plane, tone in zip(self.rgb, color, strict=True):
             plane += (tone - plane) * cover
 
@@ -89,7 +90,7 @@ class Patch:
         return (self.x - ox) * dx + (self.y - oy) * dy
 
     def speckle(self, salt: int = 0) -> Array:
-        """Noise from 0 to 1 that differs from pixel to pixel."""
+        """Noise from 0 to 1, independent from pixel to pixel; `salt` makes different ones."""
         rows = (np.arange(self.top, self.top + self.rgb.shape[1]) + 37 * salt) % _SIDE
         columns = (np.arange(self.left, self.left + self.rgb.shape[2]) + 91 * salt) % _SIDE
         found: Array = _TILE[rows[:, None], columns[None, :]]
@@ -138,12 +139,12 @@ def noise(u: Array, v: Array) -> Array:
 
 
 def ease(part: Array) -> Array:
-    """From 0 to 1, level at both ends."""
+    """A smooth step: from 0 at 0 to 1 at 1, level at both ends."""
     return part * part * (3.0 - 2.0 * part)
 
 
 def ramp(value: Array, start: float, end: float) -> Array:
-    """0 up to `start`, 1 from `end` on, eased between."""
+    """0 up to `start`, 1 from `end` on, a smooth step between."""
     return ease(np.clip((value - start) / (end - start), 0.0, 1.0))
 
 

@@ -23,9 +23,9 @@ _COARSE = 3
 def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -> pygame.Surface:
     """The table without balls, on a surface of `size` pixels; kept on disk from then on.
 
-    The surface has 24 bits a pixel, which lie in what was painted or read: it takes little memory, but is slow to
-    blit and not to be drawn on. `lively` makes another of it.
-    It may be called on any thread; `hands` is how many strips are painted at once.
+    The surface has 24 bits a pixel: it takes little memory, but is slow to blit and cannot be drawn on well;
+    `lively` makes a copy that can. It may be called on any thread; `hands` is how many strips are painted at once,
+    on threads.
     """
     picture = kept(table, size, view)
     if picture is None:
@@ -36,7 +36,7 @@ def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -
 
 
 def kept(table: Table, size: tuple[int, int], view: View) -> pygame.Surface | None:
-    """What `draw` has drawn before; None where it has not."""
+    """The picture that `draw` has kept on disk; None where there is none."""
     pixels = cache.load(_name(table, size, view), 3 * size[0] * size[1])
     return None if pixels is None else pygame.image.frombuffer(pixels, size, "RGB")
 
@@ -49,12 +49,12 @@ def draft(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
 
 
 def lively(picture: pygame.Surface) -> pygame.Surface:
-    """A copy to be drawn on, and as the window, if there is one, shows it soonest."""
+    """A copy in the window's pixel format, to be drawn on and blitted fast."""
     return picture.convert() if pygame.display.get_surface() else picture.copy()
 
 
 def content(table: Table) -> Hashable:
-    """All of a table that its picture shows."""
+    """All of a table that its picture depends on."""
     furniture, geometry = table.furniture, table.geometry
     pockets = tuple((pocket.x, pocket.y, pocket.radius) for pocket in geometry.pockets)
     sights = (table.knobs.table.length, furniture.sights, furniture.sight_inset)
