@@ -20,6 +20,7 @@ TITLE = "# The public names"
 INTRODUCTION = """What `pool2d` and `pool2d.game` export, made of the docstrings by `python -m docs.api`, which needs
 the extra "docs": `pip install -e '.[docs]'`. The examples run as tests. Lengths are in m, times in s, velocities in
 m/s, spins in rad/s, masses in kg; the angles of a shot are in degrees."""
+ATTRIBUTE = re.compile(r"^- \[\*\*(\w+)\*\*\]\(#.*?\)(?: \(<code>.*</code>\))? \N{EN DASH} ", re.MULTILINE)
 # What of a definition the page tells: signatures and docstrings, in the order of the source.
 CONFIG: Any = {
     "filters": ["!^_"],
@@ -111,7 +112,8 @@ def render() -> str:
         parts += [f"## `{package}`", ", ".join(f"[`{name}`](#{anchor(package, name)})" for name in names)]
         for name, module in names.items():
             item = _readable(loader.modules_collection[f"{module}.{name}"])
-            text = griffe2md.render_object_docs(item, CONFIG)
+            # Types stand in the signature; links to them would lead nowhere on this page.
+            text = ATTRIBUTE.sub(r"- `\1`: ", griffe2md.render_object_docs(item, CONFIG))
             parts += [f'<a id="{anchor(package, name)}"></a>', text.strip()]
     body = re.sub(r"\n{3,}", "\n\n", "\n\n".join(parts).lstrip("\n")) + "\n"
     body = "\n".join(line.rstrip() for line in body.split("\n"))

@@ -15,10 +15,13 @@ from .values import MOTION_FIELDS, Ball, EventKind, Layout
 class Event:
     """Something that happened: a contact, or a change of phase.
 
-    `t` in s; `kind` as in `simulate --json`; `balls` the ids it concerns; `where` names the cushion,
-    jaw or pocket ("miscue" for a tip that slipped), and all of them for a cluster; `before` and `after`
-    give those balls' states. `pairs` names the balls that touched each other, the pair that set it off
-    first; `rails` which ball touched which cushion.
+    Attributes:
+        t: When, s after the shot.
+        kind: What, as in `simulate --json`.
+        balls: The ids of the balls that it concerns.
+        where: The cushion, jaw or pocket, or all of them for a cluster; "miscue" for a tip that slipped.
+        pairs: The balls that touched each other, the pair that set it off first.
+        rails: Pairs of a ball and the cushion that it touched.
     """
 
     __slots__ = ("t", "kind", "balls", "where", "pairs", "rails", "_old", "_new")

@@ -54,17 +54,25 @@ class Call:
 class Report:
     """One shot as a referee saw it.
 
-    `contacts` in their order. `first` are the balls that the cue ball met first: more than one where it met
-    them at the same moment. `touching` are the balls that touched the cue ball before the shot, and
-    `pressed` those of them that the shot pushed at. `frozen` pairs balls with the cushions they lay on.
-    `stroke` names what was wrong with the stroke itself: "double-hit", "push", "miscue".
-    `kitchen`: the cue ball met its first ball behind the head string without having crossed it; `stayed`: it
-    neither crossed the head string nor met a ball beyond it. `crossed` are the balls that went over the
-    head string, `passed` those that went over the middle of the table's length, either way, and `cleared` those whose
-    whole width came over it. `astray`: the cue
-    ball went over the long string, the line that halves the table along its length. `jammed` are the
-    cushions that the cue ball lay on and was shot into. On a table without pockets `strayed` are the balls that
-    stood in a corner (`corner_of`) and left it, if only for a while. `start` is the layout before the shot.
+    Attributes:
+        contacts: Who met what, in order.
+        call: What was said before the shot.
+        cue: The ball that was struck.
+        first: The balls that the cue ball met first: several where it met them at the same moment.
+        touching: The balls that touched the cue ball before the shot.
+        pressed: Those of them that the shot pushed at.
+        frozen: Pairs of a ball and the cushion that it lay on before the shot.
+        stroke: What was wrong with the stroke itself: "double-hit", "push", "miscue".
+        kitchen: Whether the cue ball met its first ball behind the head string without having crossed that.
+        stayed: Whether the cue ball neither crossed the head string nor met a ball beyond it.
+        crossed: The object balls that went over the head string, either way.
+        passed: The object balls that went over the middle of the table's length, either way.
+        cleared: The object balls that came over that middle with their whole width.
+        astray: Whether the cue ball went over the long string, which halves the table along its length.
+        jammed: The cushions that the cue ball lay on and was shot into.
+        strayed: On a table without pockets the object balls that stood in a corner (`corner_of`) and left it, if only
+            for a while.
+        start: The layout before the shot.
     """
 
     contacts: tuple[Contact, ...] = ()

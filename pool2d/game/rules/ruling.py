@@ -30,13 +30,19 @@ Declared: TypeAlias = Literal["safety", "push"]
 class Ask:
     """What is to happen next, and who is to do it.
 
-    `kind`: "aim", shoot; "place", put the cue ball on the table first; "choose", pick one of `options`; "over",
-    the game has ended and `player` has won, -1 for nobody. `ball` is the cue ball to be struck; where `cues` are
-    named, any of them may be struck in its place. `where` is the area of a cue ball in hand, "" where it is not in
-    hand: while one aims, a cue ball in hand may still be moved within it. `on` are the balls that may be hit
-    first. `call` is what must be said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket,
-    which the obvious shot needs not. `may` are the other things that may be said, "safety" and "push". `options`
-    are the keys to choose from; a player who is to aim or place may be offered some too, and need not choose.
+    Attributes:
+        kind: "aim", to shoot; "place", to put the cue ball on the table first; "choose", to pick one of `options`;
+            "over", the game has ended.
+        player: Who is to do it, counted from 0; where the game has ended who has won, -1 for nobody.
+        ball: The cue ball to be struck.
+        where: The area of a cue ball in hand, "" where it is not in hand: while one aims, a cue ball in hand may still
+            be moved within it.
+        on: The balls that may be hit first.
+        call: What must be said before the shot: "" nothing, "ball", or "pocket" for a ball and a pocket, which the
+            obvious shot needs not.
+        may: What else may be said: "safety", "push".
+        options: The keys to choose from; a player who is to aim or place may be offered some too, and need not choose.
+        cues: Where any are named, the balls of which any may be struck in place of `ball`.
     """
 
     kind: AskKind
