@@ -61,7 +61,7 @@ def replay(path: Path, number: int | None = None, frames: int | None = None) -> 
         splash.tell(0.7)
         app = App(shots[0].match.table, 0, size, store, splash.surface)
         shown = Replay(shots, None, store, app.sounds)
-        shown.go((number or 1) - 1)
+        shown.state.go((number or 1) - 1)
         app.scene = shown
         splash.tell(1.0)
         app.run(frames)

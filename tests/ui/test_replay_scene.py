@@ -28,7 +28,8 @@ from pool2d.ui.dialogs.pick import Pick
 from pool2d.ui.frame import Frame
 from pool2d.ui.replay import replay_view
 from pool2d.ui.replay.record_list import RecordList, open_replays
-from pool2d.ui.replay.replay_scene import PAUSE, Replay
+from pool2d.ui.replay.replay_scene import Replay
+from pool2d.ui.replay.replay_state import PAUSE
 from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.widgets.widget import Heading
 from tests.random_play import new_match
@@ -85,12 +86,12 @@ def viewer(recorded: Path) -> Iterator[Viewer]:
 def test_a_match_plays_by_itself_to_its_end_and_stays(viewer: Viewer) -> None:
     replay, seen = viewer.replay, []
     for _ in range(4000):
-        seen.append(replay.at)
+        seen.append(replay.state.at)
         viewer.app.step(FRAME)
         if replay.still:
             break
     assert list(dict.fromkeys(seen)) == [0, 1, 2, 3]
-    assert replay.playback.ended
+    assert replay.state.playback.ended
     assert viewer.scene is replay
 
 
@@ -99,11 +100,11 @@ def test_a_match_plays_by_itself_to_its_end_and_stays(viewer: Viewer) -> None:
 def test_keys_go_from_shot_to_shot_and_no_further(viewer: Viewer, later: int, earlier: int) -> None:
     for expected in (1, 2, 3, 3):
         viewer.key(later)
-        assert viewer.replay.at == expected
-        assert viewer.replay.playback.time < 0.1
+        assert viewer.replay.state.at == expected
+        assert viewer.replay.state.playback.time < 0.1
     for expected in (2, 1, 0, 0):
         viewer.key(earlier)
-        assert viewer.replay.at == expected
+        assert viewer.replay.state.at == expected
 
 
 def test_buttons_do_what_keys_do(viewer: Viewer) -> None:
@@ -112,19 +113,19 @@ def test_buttons_do_what_keys_do(viewer: Viewer) -> None:
         viewer.move(replay_view.button(action, screen).center)
         viewer.press()
         viewer.release()
-        assert viewer.replay.at == expected
+        assert viewer.replay.state.at == expected
 
 
 def test_a_shot_that_is_held_or_brought_to_its_end_stays(viewer: Viewer) -> None:
     viewer.key(pygame.K_SPACE)
     viewer.wait(2.0 * PAUSE)
-    assert (viewer.replay.at, viewer.replay.playback.paused) == (0, True)
+    assert (viewer.replay.state.at, viewer.replay.state.playback.paused) == (0, True)
     viewer.key(pygame.K_END)
     viewer.wait(2.0 * PAUSE)
-    assert viewer.replay.at == 0
+    assert viewer.replay.state.at == 0
     viewer.key(pygame.K_SPACE)
-    viewer.wait(viewer.replay.playback.end + PAUSE + 0.2)
-    assert viewer.replay.at == 1
+    viewer.wait(viewer.replay.state.playback.end + PAUSE + 0.2)
+    assert viewer.replay.state.at == 1
 
 
 def test_the_time_line_is_dragged_and_the_rate_is_kept_for_the_next_shot(viewer: Viewer) -> None:
@@ -133,11 +134,11 @@ def test_the_time_line_is_dragged_and_the_rate_is_kept_for_the_next_shot(viewer:
     viewer.move((line.left + line.width / 2, line.centery))
     viewer.press()
     viewer.release()
-    shown = viewer.replay.playback
+    shown = viewer.replay.state.playback
     assert shown.time == pytest.approx(shown.end / 2, rel=0.01)
     viewer.key(pygame.K_PAGEDOWN)
-    assert viewer.replay.playback.rate == 0.5
-    assert not viewer.replay.playback.paused
+    assert viewer.replay.state.playback.rate == 0.5
+    assert not viewer.replay.state.playback.paused
 
 
 def test_the_list_leads_to_a_shot_by_keys_and_by_mouse(viewer: Viewer) -> None:
@@ -149,7 +150,7 @@ def test_the_list_leads_to_a_shot_by_keys_and_by_mouse(viewer: Viewer) -> None:
     viewer.key(pygame.K_DOWN)
     viewer.key(pygame.K_RETURN)
     assert viewer.scene is viewer.replay
-    assert viewer.replay.at == 2
+    assert viewer.replay.state.at == 2
     viewer.move(replay_view.button("list", viewer.replay.stage.screen).center)
     viewer.press()
     viewer.release()
@@ -157,16 +158,16 @@ def test_the_list_leads_to_a_shot_by_keys_and_by_mouse(viewer: Viewer) -> None:
     assert isinstance(again, Pick)
     viewer.key(pygame.K_ESCAPE)
     assert viewer.scene is viewer.replay
-    assert viewer.replay.at == 2
+    assert viewer.replay.state.at == 2
 
 
 def test_what_came_of_a_shot_is_told_at_its_end(viewer: Viewer) -> None:
-    assert replay_view.caption(viewer.replay) == ("", False)
+    assert replay_view.caption(viewer.replay.state) == ("", False)
     viewer.key(pygame.K_END)
-    assert "hit no ball" in replay_view.caption(viewer.replay)[0]
+    assert "hit no ball" in replay_view.caption(viewer.replay.state)[0]
     viewer.key(pygame.K_PAGEDOWN)
     viewer.key(pygame.K_END)
-    assert "taken back" in replay_view.caption(viewer.replay)[0]
+    assert "taken back" in replay_view.caption(viewer.replay.state)[0]
 
 
 def test_a_call_is_told_in_words(tmp_path: Path) -> None:
@@ -202,15 +203,15 @@ def test_the_score_is_the_one_of_the_moment(tmp_path: Path, monkeypatch: pytest.
 def test_other_keys_open_help_and_options_and_come_back_to_the_same_moment(viewer: Viewer) -> None:
     viewer.wait(0.5)
     for key in (pygame.K_F1, pygame.K_o):
-        at = viewer.replay.playback.time
+        at = viewer.replay.state.playback.time
         viewer.key(key)
         assert viewer.scene is not viewer.replay
         viewer.wait(0.5)
         viewer.key(pygame.K_ESCAPE)
         assert viewer.scene is viewer.replay
-        assert viewer.replay.playback.time == at
+        assert viewer.replay.state.playback.time == at
     viewer.key(pygame.K_v)
-    assert viewer.replay.vectors
+    assert viewer.replay.state.vectors
 
 
 def test_esc_closes_the_window_or_goes_to_the_scene_below(viewer: Viewer) -> None:
@@ -219,7 +220,7 @@ def test_esc_closes_the_window_or_goes_to_the_scene_below(viewer: Viewer) -> Non
     assert viewer.scene is viewer.play
     viewer.app.scene = viewer.replay
     viewer.replay.below = None
-    viewer.replay.go(0)
+    viewer.replay.state.go(0)
     viewer.post(pygame.KEYDOWN, key=pygame.K_ESCAPE, mod=0, unicode="")
     assert not viewer.open
 

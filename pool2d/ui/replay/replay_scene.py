@@ -7,9 +7,7 @@ from collections.abc import Callable
 import pygame
 
 from ...config.settings import Store
-from ...draw import cue_motion
-from ...draw.effects import effects_of, style_of
-from ...game.actions import Stroke
+from ...draw.effects import style_of
 from ...game.records.recorded_shots import RecordedShots
 from ...sound.mixer import Sounds
 from ...table.table import Table
@@ -19,12 +17,12 @@ from ..dialogs.pick import Pick
 from ..frame import Frame
 from ..scene import Scene
 from ..screen import Screen
-from ..stage.playback import Playback
 from ..stage.stage import Stage
 from ..stage.timeline import Timeline
 from ..wording.keys import action_of
 from ..wording.words import say
 from . import replay_view
+from .replay_state import ReplayState
 
 # What keys do besides those of the time line, and where one of them goes from the present shot.
 KEYS = {
@@ -32,31 +30,25 @@ KEYS = {
     pygame.K_PAGEDOWN: "later", pygame.K_DOWN: "later", pygame.K_n: "later",
     pygame.K_g: "list",
 }  # fmt: skip
-# How long a shot's last moment is shown before the next begins, s.
-PAUSE = 2.0
 
 
 class Replay(Scene):
-    """The strokes of a record, one after the other; Esc goes to the scene below, or closes the window without one.
+    """A recorded match on the window; Esc goes to the scene below, or closes the window without one.
 
-    `at` is the stroke shown, counted from 0. One that runs to its end leads on to the next; one that a hand
-    holds or brings to its end stays. `store` says how it looks, `sounds` makes it heard.
+    `state` is what is shown of the match, `stage` and `timeline` are how. `store` says how it looks, `sounds` makes it
+    heard.
     """
 
     def __init__(
         self, shots: RecordedShots, below: Scene | None = None, store: Store | None = None, sounds: Sounds | None = None
     ) -> None:
-        self.shots = shots
+        store = store or Store()
+        self.state = state = ReplayState(shots, store, sounds or Sounds())
         self.below = below
-        self.store = store or Store()
-        self.sounds = sounds or Sounds()
-        self.stage = Stage(shots[0].match.table)
-        self.stage.cue_counts = shots[0].match.rules.cue_counts
+        self.stage = Stage(state.table)
+        self.stage.cue_counts = state.shot.match.rules.cue_counts
+        self.stage.tracker = state.tracker
         self.timeline = Timeline()
-        self.vectors = self.geometry = False
-        self.at = 0
-        self._laid = 0
-        self._rested = 0.0
         self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {
             **self.stage.camera.keys,
@@ -64,54 +56,22 @@ class Replay(Scene):
             "geometry": self._show_geometry,
             "fast": lambda: self._fast_forward(True),
             "help": lambda: self._open(Help(self)),
-            "options": lambda: self._open(OptionsPage(self, self.store)),
+            "options": lambda: self._open(OptionsPage(self, store)),
         }
         self._do: dict[str, Callable[[], None]] = {
-            "earlier": lambda: self.go(self.at - 1),
-            "later": lambda: self.go(self.at + 1),
+            "earlier": lambda: state.go(state.at - 1),
+            "later": lambda: state.go(state.at + 1),
             "list": self._list,
         }
-        self.playback = self._shown()
 
     @property
     def still(self) -> bool:
         """Whether it would look the same at the next frame, unless an event comes."""
-        waits = self.playback.ended and not self.playback.paused and self.at + 1 < len(self.shots)
-        return self.playback.still and self.stage.still and self.shots.complete and not waits
+        return self.state.still and self.stage.still
 
     @property
     def table(self) -> Table:
-        return self.shots[self.at].match.table
-
-    def go(self, at: int, paused: bool = False) -> None:
-        """Show a stroke, from its beginning; the nearest there is."""
-        self.at = min(max(at, 0), len(self.shots) - 1)
-        # It may be that the record cannot be played so far.
-        self.at = min(self.at, self.shots[self.at].number - 1)
-        rate = self.playback.rate
-        self.playback = self._shown()
-        self.playback.rate = rate
-        self.playback.paused = paused
-        self._rested = 0.0
-        if not paused and self.playback.time == 0.0:
-            self.sounds.play_events(self.stage.table, self.playback.rollout, -1.0, 0.0)
-
-    def _shown(self) -> Playback:
-        take = self.shots[self.at]
-        self._lay()
-        action = take.moment.action
-        lead = cue_motion.lead(False, effects_of(self.store.values))
-        shown = Playback(take.rollout, action.shot if isinstance(action, Stroke) else None, lead, again=True)
-        shown.kept = True
-        return shown
-
-    def _lay(self) -> None:
-        """Let the balls of every stroke that is worked out lie as those before it left them."""
-        takes = self.shots.played
-        for at in range(self._laid, len(takes)):
-            last = takes[at - 1].moment if at else None
-            self.stage.tracker.follow(takes[at].before, takes[at].rollout, last)
-        self._laid = len(takes)
+        return self.state.table
 
     # Events.
 
@@ -129,7 +89,7 @@ class Replay(Scene):
             return None
         elif not self.stage.camera.handle(event, pygame.key.get_mods()):
             self._hand(event)
-        if self.playback.over:
+        if self.state.playback.over:
             return self.below
         scene, self._next = self._next or self, None
         return scene
@@ -141,56 +101,43 @@ class Replay(Scene):
             if pressed:
                 self._do[pressed]()
                 return
-        if self.timeline.handle(event, self.playback):
+        if self.timeline.handle(event, self.state.playback):
             # What a hand has brought to its end stays there.
-            self.playback.paused |= self.playback.kept and self.playback.ended
+            self.state.playback.paused |= self.state.playback.kept and self.state.playback.ended
         elif event.type == pygame.KEYDOWN:
             action = action_of(event.key, getattr(event, "mod", 0)) or ""
             self._do.get(KEYS.get(event.key, ""), self._keys.get(action, _nothing))()
 
     def _open(self, scene: Scene) -> None:
-        self.playback.paused = True
+        self.state.playback.paused = True
         self._next = scene
 
     def _list(self) -> None:
         """Offer every shot, to go to one."""
 
         def take(at: int) -> Scene:
-            self.go(at)
+            self.state.go(at)
             return self
 
-        # Asked for the last, they play them all.
-        self.shots[len(self.shots) - 1]
-        self._lay()
-        lines = [replay_view.line(self.shots, shot) for shot in self.shots.played]
-        self._open(Pick(self, say("replay.shots"), lines, self.at, say("replay.show"), take))
+        self.state.play_all()
+        shots = self.state.shots
+        lines = [replay_view.line(shots, shot) for shot in shots.played]
+        self._open(Pick(self, say("replay.shots"), lines, self.state.at, say("replay.show"), take))
 
     def _fast_forward(self, fast: bool) -> None:
-        self.playback.fast = fast
+        self.state.playback.fast = fast
 
     def _show_vectors(self) -> None:
-        self.vectors = not self.vectors
+        self.state.vectors = not self.state.vectors
 
     def _show_geometry(self) -> None:
-        self.geometry = not self.geometry
+        self.state.geometry = not self.state.geometry
 
     # Time.
 
     def update(self, dt: float) -> Scene | None:
-        if not self.shots.complete:
-            self.shots.play_next()
-            self._lay()
-        self.stage.camera.update(dt, effects_of(self.store.values).eased)
-        shown = self.playback
-        before = shown.time
-        shown.update(dt)
-        self.sounds.play_events(self.stage.table, shown.rollout, before, shown.time)
-        if shown.ended and not shown.paused:
-            self._rested += dt
-            if self._rested >= PAUSE and self.at + 1 < len(self.shots):
-                fast = shown.fast
-                self.go(self.at + 1)
-                self.playback.fast = fast
+        self.stage.camera.update(dt, self.state.effects.eased)
+        self.state.update(dt)
         return self
 
     def lay_out(self, size: tuple[int, int]) -> None:
@@ -199,8 +146,8 @@ class Replay(Scene):
         self.timeline.place(screen, 0)
 
     def draw(self, frame: Frame) -> None:
-        self.stage.style = style_of(self.store.values)
-        replay_view.draw(frame, self)
+        self.stage.style = style_of(self.state.store.values)
+        replay_view.draw(frame, self.state, self.stage, self.timeline)
 
 
 def _nothing() -> None:

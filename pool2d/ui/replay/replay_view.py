@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import pygame
 
 from ...draw import pen, shapes, text, theme, vectors
 from ...draw.debug import ScreenPen, draw_geometry
-from ...draw.effects import effects_of
 from ...game.actions import Stroke
 from ...game.records.recorded_shots import RecordedShots
 from ...game.records.replaying import UNKNOWN, RecordedShot
@@ -18,34 +15,34 @@ from ..screen import Screen
 from ..stage import scoreboard
 from ..stage.legend import draw_legend
 from ..stage.shot_view import in_motion
+from ..stage.stage import Stage
+from ..stage.timeline import Timeline
 from ..widgets.widget import plate
 from ..wording import ruling_text
 from ..wording.shot_text import ball_name, place_name
 from ..wording.words import say
-
-if TYPE_CHECKING:
-    from .replay_scene import Replay
+from .replay_state import ReplayState
 
 
-def draw(frame: Frame, replay: Replay) -> None:
+def draw(frame: Frame, state: ReplayState, stage: Stage, timeline: Timeline) -> None:
     """Draw the whole window, as it was laid out."""
-    take, shown, stage = replay.shots[replay.at], replay.playback, replay.stage
+    shown = state.playback
     surface, screen = frame.surface, stage.screen
     stage.begin(frame)
-    in_motion(frame, stage, shown, effects_of(replay.store.values))
-    if replay.geometry:
+    in_motion(frame, stage, shown, state.effects)
+    if state.geometry:
         draw_geometry(ScreenPen(surface, stage.view), stage.table)
-    if replay.vectors:
+    if state.vectors:
         vectors.draw(surface, shown.rollout.at(shown.time), stage.table, stage.view)
         if shown.shot is not None and shown.time <= 0.0:
             vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
         draw_legend(surface, screen)
-    _upper_bar(surface, screen, replay, take)
-    said = caption(replay)
+    _upper_bar(surface, stage, state, timeline.hover)
+    said = caption(state)
     _caption(surface, screen, said)
-    if replay.geometry or replay.vectors or said[0]:
+    if state.geometry or state.vectors or said[0]:
         frame.cover()
-    replay.timeline.draw(surface, shown, stage.table)
+    timeline.draw(surface, shown, stage.table)
     frame.replace([screen.top, screen.bottom])
 
 
@@ -64,26 +61,27 @@ def under(pos: tuple[int, int], screen: Screen) -> str:
     return next((action for action in ("earlier", "list", "later") if button(action, screen).collidepoint(pos)), "")
 
 
-def _upper_bar(surface: pygame.Surface, screen: Screen, replay: Replay, take: RecordedShot) -> None:
+def _upper_bar(surface: pygame.Surface, stage: Stage, state: ReplayState, pointer: tuple[int, int] | None) -> None:
+    screen, take = stage.screen, state.shot
     unit, bar = screen.unit, screen.top
     surface.fill(theme.PANEL[:3], bar)
-    pointed = "" if replay.timeline.hover is None else under(replay.timeline.hover, screen)
+    pointed = "" if pointer is None else under(pointer, screen)
     for action in ("earlier", "list", "later"):
         box = button(action, screen)
         lit = action == pointed
         plate(surface, box, theme.FACE_LIT if lit else theme.FACE, unit, theme.TEXT if lit else None)
-        possible = replay.at > 0 if action == "earlier" else replay.at + 1 < len(replay.shots)
+        possible = state.at > 0 if action == "earlier" else state.at + 1 < len(state.shots)
         if action != "list":
             _skip(surface, box, -1.0 if action == "earlier" else 1.0, theme.TEXT if possible else theme.EDGE)
-    told = say("replay.shot", number=replay.at + 1, count=len(replay.shots))
+    told = say("replay.shot", number=state.at + 1, count=len(state.shots))
     box = button("list", screen)
     text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
     left = button("later", screen).right + 2 * unit
     title = text.fitted(ruling_text.title(take.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
-    replay.stage.tray(surface)
+    stage.tray(surface)
     # Until a shot has come to its end the score is the one that it was played at.
-    moment = take.moment if replay.playback.ended else take.before
+    moment = take.moment if state.playback.ended else take.before
     scoreboard.draw_beside(surface, screen, take.match, moment, take.moment.shooter)
 
 
@@ -98,10 +96,10 @@ def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.C
 # What is said over the table's lower edge.
 
 
-def caption(replay: Replay) -> tuple[str, bool]:
+def caption(state: ReplayState) -> tuple[str, bool]:
     """What there is to say of the moment shown, and whether something is wrong."""
-    take, shown = replay.shots[replay.at], replay.playback
-    shots = replay.shots
+    take, shown = state.shot, state.playback
+    shots = state.shots
     if not take.same:
         return unlike(take), True
     if shown.ended:
@@ -110,9 +108,9 @@ def caption(replay: Replay) -> tuple[str, bool]:
         return " ".join([*said, ruling_text.verdict(take.moment, take.match)]), False
     if shown.time <= 0.0 and (said_before := called(take)):
         return said_before, False
-    if shots.fault is not None and replay.at + 1 == len(shots):
+    if shots.fault is not None and state.at + 1 == len(shots):
         return str(shots.fault), True
-    if shots.outdated and replay.at == 0:
+    if shots.outdated and state.at == 0:
         return say(f"since.preset_{shots.outdated}"), False
     return "", False
 
@@ -128,7 +126,7 @@ def line(shots: RecordedShots, take: RecordedShot) -> str:
     """A shot in a list: its number, who played it, and what came of it."""
     notes = ruling_text.verdict(take.moment, take.match)
     name = take.match.names[take.moment.shooter]
-    back = f" ({say('replay.taken_back')})" if take.line in shots.undone else ""
+    back = f" ({say('state.taken_back')})" if take.line in shots.undone else ""
     return f"{take.number}   {name}{back}   {notes}".rstrip()
 
 

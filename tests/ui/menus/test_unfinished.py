@@ -166,9 +166,9 @@ def test_a_match_on_a_preset_that_has_changed_or_gone_is_continued_as_it_was_and
     app.step(0.0)
     # The replay says so while its first shot runs.
     shown_replay = Replay(RecordedShots(load(records()[0])), app.scene)
-    assert "The table is as it was" in replay_view.caption(shown_replay)[0]
-    shown_replay.playback.leave()
-    assert "The table is as it was" not in replay_view.caption(shown_replay)[0]
+    assert "The table is as it was" in replay_view.caption(shown_replay.state)[0]
+    shown_replay.state.playback.leave()
+    assert "The table is as it was" not in replay_view.caption(shown_replay.state)[0]
     app.close()
 
 
@@ -196,7 +196,7 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     assert shown_again is not None and shown_again.rollout.layout() == layout
     guest.app.step(0.5)
     replay = Replay(RecordedShots(load(unfinished()[0])), guest.play)
-    assert replay_view.caption(replay) == (
+    assert replay_view.caption(replay.state) == (
         "Today this shot would roll otherwise: the engine has changed since."
         " The balls are shown as recorded, before it and after it.",
         True,
@@ -204,7 +204,7 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     guest.app.scene = replay
     while not replay.still:
         guest.app.step(0.1)
-    assert replay.stage.tracker is not None and replay.playback.ended
+    assert replay.stage.tracker is not None and replay.state.playback.ended
 
 
 def told_at_start() -> list[str]:
