@@ -67,12 +67,18 @@ def facing(ball: Body, elements: Sequence[Element], reach: float, room: float) -
     The nearest point of an element may lie inside another one, as where a jaw goes over into its nose.
     """
     near = [(element, gap) for element in elements if (gap := element.gap(ball.x, ball.y, reach)) <= room]
-    found = []
-    for element, gap in near:
-        point = element.point(ball.x, ball.y)
-        if point and not any(other.covers(*point) for other, _ in near if other is not element):
-            found.append((element, max(0.0, gap)))
-    return found
+    across = [(element, gap, point) for element, gap in near if (point := element.point(ball.x, ball.y))]
+
+    def hidden(place: int) -> bool:
+        element, _, point = across[place]
+        # Where two meet, each may hold the other's point within rounding: then the first stays.
+        return any(
+            other.covers(*point) and (number < place or not element.covers(*there))
+            for number, (other, _, there) in enumerate(across)
+            if number != place
+        )
+
+    return [(element, max(0.0, gap)) for place, (element, gap, _) in enumerate(across) if not hidden(place)]
 
 
 def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSpring], list[NoseSpring]]:

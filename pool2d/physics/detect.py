@@ -85,7 +85,8 @@ class Rail:
 
     def covers(self, x: float, y: float) -> bool:
         px, py = x - self.ax, y - self.ay
-        return 0.0 <= px * self.dx + py * self.dy <= self.length and self.dx * py - self.dy * px < SURFACE
+        along = px * self.dx + py * self.dy
+        return -SURFACE < along < self.length + SURFACE and self.dx * py - self.dy * px < SURFACE
 
 
 class Jaw:

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from pool2d import Ball
+from pool2d import Ball, load_table
 from pool2d.physics.body import Body
+from pool2d.physics.cluster import facing
 from pool2d.physics.detect import SKIN, Jaw, Pocket, Rail, time_ball_ball
 from pool2d.physics.motion import Motion, start
 from pool2d.physics.params import Cloth
@@ -163,3 +164,46 @@ def test_a_ball_that_has_drifted_a_hair_into_a_nose_still_meets_it(deeper: float
     y = RADIUS - SKIN - deeper
     assert RAIL.time(move(0.5, y, 0.1, -1e-4), RADIUS, 10.0) == 0.0
     assert RAIL.time(move(0.5, y, 0.1, 1e-4), RADIUS, 0.01) == math.inf
+
+
+@given(between(-0.3, 0.3), between(0.03, 0.3))
+def test_the_point_touched_is_the_nearest_and_what_lies_behind_it_is_covered(x: float, y: float) -> None:
+    jaw, rail = Jaw("jaw", 0.0, 0.0, 0.02), Rail("rail", -0.1, 0.0, 0.2, 0.0)
+    for element in (jaw, rail):
+        point = element.point(x, y)
+        if element is rail and not -0.1 <= x <= 0.2:
+            assert point is None
+            continue
+        assert point is not None
+        (px, py), (nx, ny) = point, element.normal(x, y)
+        assert math.hypot(px - x, py - y) - RADIUS == pytest.approx(element.gap(x, y, RADIUS), abs=1e-12)
+        assert (px + 0.01 * nx, py + 0.01 * ny) == pytest.approx((x + (d := element.gap(x, y, -0.01)) * nx, y + d * ny))
+        for depth in (1e-6, 0.01):
+            assert element.covers(px + depth * nx, py + depth * ny)
+            assert not element.covers(px - depth * nx, py - depth * ny)
+    assert not rail.covers(-0.1 - y, -0.01)
+    assert not rail.covers(0.2 + y, -0.01)
+
+
+def test_a_ball_where_a_rail_goes_on_as_another_touches_one_of_them() -> None:
+    body = Body(Ball("1", 0.3, RADIUS), 0, RADIUS, 0.17)
+    rails = [Rail("first", 0.0, 0.0, 0.3, 0.0), Rail("second", 0.3, 0.0, 0.7, 0.0)]
+    assert [element.name for element, _ in facing(body, rails, RADIUS, 1e-4)] == ["first"]
+
+
+@pytest.mark.parametrize("name", ["pool-9ft", "snooker-12ft"])
+def test_a_ball_that_goes_round_a_jaw_touches_one_thing_at_a_time(name: str) -> None:
+    """It goes over into its nose and its facing: where they join no contact is lost, and none counts twice."""
+    table = load_table(name)
+    radius = table.knobs.ball.radius
+    reach, tried = table.reach(radius), 0
+    elements = [element for element in table.geometry.elements if not isinstance(element, Pocket)]
+    for jaw in (element for element in elements if isinstance(element, Jaw)):
+        for turn in range(0, 360, 3):
+            away = jaw.radius + reach
+            x, y = jaw.x + away * math.cos(math.radians(turn)), jaw.y + away * math.sin(math.radians(turn))
+            if all(element.gap(x, y, reach) > -1e-4 for element in elements if element is not jaw):
+                tried += 1
+                (one,) = facing(Body(Ball("1", x, y), 0, radius, 0.17), elements, reach, 1e-4)
+                assert one[1] == pytest.approx(0.0, abs=1e-4)
+    assert tried > 50
