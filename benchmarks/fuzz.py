@@ -31,7 +31,7 @@ from .wide import wide
 
 NANOMETRE = 1e-9
 SIZES = ((None, None), (0.0255, 0.12), (0.034, 0.28))
-# A shot that computes for longer than this, s, is taken not to end.
+# A shot that takes more CPU than this, s, is taken not to end.
 PATIENCE = 60
 # One that takes more CPU than this, s, is counted as slow.
 SLOW = 2.0
@@ -177,21 +177,21 @@ class _Worker:
     @classmethod
     def prepare(cls, source: str | None, overrides: dict[str, Any], seed: int) -> None:
         cls.table, cls.seed = load_table(source, overrides) if source else None, seed
-        signal.signal(signal.SIGALRM, _give_up)
+        signal.signal(signal.SIGPROF, _give_up)
 
     @classmethod
     def play(cls, number: int) -> Result:
-        signal.alarm(PATIENCE)
+        signal.setitimer(signal.ITIMER_PROF, PATIENCE)
         try:
             if cls.table is None:
                 return examine(number, *wide(f"{cls.seed} {number}"))
             return play(cls.table, cls.seed, number)
         finally:
-            signal.alarm(0)
+            signal.setitimer(signal.ITIMER_PROF, 0.0)
 
 
 def _give_up(number: int, frame: object) -> None:
-    raise TimeoutError(f"still computing after {PATIENCE} s")
+    raise TimeoutError(f"still computing after {PATIENCE} s of CPU")
 
 
 def _override(setting: str) -> tuple[str, float | str]:
