@@ -72,3 +72,15 @@ def test_arrows_that_follow_from_others_are_left_out() -> None:
 )
 def test_the_room_of_a_module(module: str, room: str) -> None:
     assert spine.room(module) == room
+
+
+@pytest.mark.parametrize("name", ["README.md", "docs/records.md"])
+def test_the_python_of_a_page_runs(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(encoding="utf-8"), re.DOTALL)
+    assert blocks
+    for block in blocks:
+        exec(block, {})
+        assert capsys.readouterr().out
