@@ -126,7 +126,7 @@ def line(shots: RecordedShots, take: RecordedShot) -> str:
     """A shot in a list: its number, who played it, and what came of it."""
     notes = ruling_text.verdict(take.moment, take.match)
     name = take.match.names[take.moment.shooter]
-    back = f" ({say('state.taken_back')})" if take.line in shots.undone else ""
+    back = f" ({say('replay.taken_back')})" if take.line in shots.undone else ""
     return f"{take.number}   {name}{back}   {notes}".rstrip()
 
 
