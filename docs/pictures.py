@@ -99,7 +99,8 @@ def page(scenes: dict[str, Scene]) -> str:
             "# Pictures",
             "",
             "`python -m docs.pictures` draws them all: a hand that posts events brings the real window to each scene",
-            f"of [scenes.py](scenes.py). These are at {SIZE[0]}x{SIZE[1]}; there are sheets of {sheets}.",
+            "of [picture_scenes.py](picture_scenes.py). "
+            f"These are at {SIZE[0]}x{SIZE[1]}; there are sheets of {sheets}.",
             "",
             "|  |  |",
             "|---|---|",
