@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -24,6 +24,7 @@ import pytest
 
 from pool2d import Layout, Table, load_table
 from pool2d.game.rules import CHOOSE, GAMES, Choice, Ruling, State
+from pool2d.game.rules.notes import ENGLISH
 from pool2d.game.rules.pool.pool import PoolRules
 from pool2d.game.rules.ruling import Declared
 from pool2d.game.rules.spotting import Where
@@ -154,8 +155,24 @@ def check(name: str, case: Case) -> None:
     assert line(ruling, state) == case.ruling
 
 
+def assert_told(ruling: Ruling) -> None:
+    """Whatever is ruled can be said, of the right player, and says nothing that the state does not hold."""
+    for note in (*ruling.notes, *ruling.fouls):
+        text = ENGLISH[note.key]
+        assert note.player in (0, 1) or "{player}" not in text, note
+        assert note.ball or "{ball}" not in text, note
+        what, _, which = note.key.partition(".")
+        if what == "group":
+            groups: tuple[str, ...] = asdict(ruling.state)["groups"]
+            assert groups[note.player] == which, note
+        elif what in ("turn", "in-hand", "chooses", "wins"):
+            assert note.player == ruling.ask.player, note
+    assert [note for note in ruling.notes if note in ruling.fouls] == list(ruling.fouls)
+
+
 def line(ruling: Ruling, before: State | None = None) -> str:
-    """A ruling in a line."""
+    """A ruling in a line, once it has been seen to be told well."""
+    assert_told(ruling)
     ask, now = ruling.ask, ruling.state
     parts = [" ".join(filter(None, (str(ask.player), DOES[ask.kind], ask.where, "/".join(ask.options))))]
     if "push" in ask.may:
