@@ -185,6 +185,16 @@ def test_the_point_touched_is_the_nearest_and_what_lies_behind_it_is_covered(x: 
     assert not rail.covers(0.2 + y, -0.01)
 
 
+def test_beside_a_joint_a_ball_touches_what_it_is_across_from() -> None:
+    """And has its gap from it: none where it has sunk in."""
+    jaw = Jaw("jaw", 0.2, -0.02, 0.02)
+    for x, off, met in ((0.201, 3e-5, RAIL), (0.199, 3e-5, jaw), (0.5, -1e-9, RAIL)):
+        ball = Body(Ball("1", x, RADIUS + off), 0, RADIUS, 0.17)
+        ((element, gap),) = facing(ball, [RAIL, jaw], RADIUS, 1e-3)
+        assert element is met
+        assert gap == pytest.approx(max(0.0, met.gap(ball.x, ball.y, RADIUS)), abs=1e-15)
+
+
 def test_a_ball_where_a_rail_goes_on_as_another_touches_one_of_them() -> None:
     body = Body(Ball("1", 0.3, RADIUS), 0, RADIUS, 0.17)
     rails = [Rail("first", 0.0, 0.0, 0.3, 0.0), Rail("second", 0.3, 0.0, 0.7, 0.0)]
