@@ -52,7 +52,7 @@ def _frames(size: tuple[int, int]) -> None:
     app = App(load_table("pool-9ft"), seed=3, size=size)
     app.step(0.0)
     presented = _Presented()
-    hands = app.play.hands
+    hands = app.play.state.hands
 
     def turn() -> None:
         hands.aim = hands.aim.turned(0.7)
@@ -76,7 +76,7 @@ def _frames(size: tuple[int, int]) -> None:
     frames("the same, drawn again", app.redraw)
     frames("aiming", turn)
     hands.aim = hands.aim.with_speed(8.0).toward(1.0, 0.003)
-    app.play._strike(8.0)
+    app.play.state.strike(8.0)
     frames("balls rolling")
     app.play.stage.camera.zoom(3.0)
     frames("coming nearer")

@@ -204,7 +204,7 @@ class Monkey:
     def compare(self) -> None:
         """Raise AssertionError where a frame of a shot is not as one that is drawn as a whole."""
         scene = self.app.scene
-        if not isinstance(scene, Play | Replay) or (isinstance(scene, Play) and scene.playback is None):
+        if not isinstance(scene, Play | Replay) or scene.state.playback is None:
             return
         if canvas(self.app.window.surface) is not self.app.window.surface:
             # So small a window is never drawn on in parts.

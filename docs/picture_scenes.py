@@ -19,7 +19,6 @@ from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import record
 from pool2d.game.session import Session
 from pool2d.game.setup import LAG, Setup
-from pool2d.ui.play.drill_scene import DrillPlay
 from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.scene import Scene as ScreenScene
 from pool2d.ui.widgets.inputs import Slider
@@ -87,9 +86,9 @@ def line(hand: Hand) -> None:
     hand.key(pygame.K_p)
     for _ in range(3):
         hand.key(pygame.K_RIGHT)
-    shown = hand.play.playback
+    shown = hand.play.state.playback
     assert shown is not None
-    hand.move((hand.play.timeline.x_of(shown.time, shown), hand.play.timeline.track.centery))
+    hand.move((hand.play.controller.timeline.x_of(shown.time, shown), hand.play.controller.timeline.track.centery))
 
 
 def tuned(hand: Hand) -> None:
@@ -101,8 +100,8 @@ def tuned(hand: Hand) -> None:
     hand.key(pygame.K_SPACE)
     hand.key(pygame.K_t)
     hand.app.step(0.0)
-    assert hand.play.tuning is not None
-    slider = next(widget for widget in hand.play.tuning.form.widgets if isinstance(widget, Slider))
+    assert hand.play.controller.tuning is not None
+    slider = next(widget for widget in hand.play.controller.tuning.form.widgets if isinstance(widget, Slider))
     hand.move((slider.rect.left + slider.rect.width * 0.8, slider.rect.bottom - 1.5 * hand.play.stage.screen.unit))
     hand.press()
     hand.release()
@@ -145,15 +144,16 @@ def german(hand: Hand) -> None:
 
 def rest(hand: Hand) -> None:
     """A table as it is when the window opens."""
-    width, height = hand.play.session.table.knobs.table.length, hand.play.session.table.knobs.table.width
+    width, height = hand.play.state.session.table.knobs.table.length, hand.play.state.session.table.knobs.table.width
     hand.point(0.8 * width, 0.5 * height)
 
 
 def match(hand: Hand, game: str = "eight-ball", speed: float = 9.5) -> Session:
     """A match, its break played and ruled on."""
-    session = Session(Match(hand.play.session.table, Setup(game, names=("Ann", "Bob"), race=3, breaker=0, seed=4)))
+    setup = Setup(game, names=("Ann", "Bob"), race=3, breaker=0, seed=4)
+    session = Session(Match(hand.play.state.session.table, setup))
     hand.app.scene = hand.app.lobby.begin(session)
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(speed).toward(1.0, 0.004)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(speed).toward(1.0, 0.004)
     hand.strike()
     return session
 
@@ -161,11 +161,11 @@ def match(hand: Hand, game: str = "eight-ball", speed: float = 9.5) -> Session:
 def lag(hand: Hand) -> None:
     """The second ball is on its way back."""
     setup = Setup("nine-ball", names=("Ann", "Bob"), race=3, breaker=LAG, seed=4)
-    session = Session(Match(hand.play.session.table, setup))
+    session = Session(Match(hand.play.state.session.table, setup))
     hand.app.scene = hand.app.lobby.begin(session)
     for speed in (1.42, 1.46):
         hand.point(2.0, session.cue.y)
-        hand.play.hands.aim = hand.play.hands.aim.with_speed(speed)
+        hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(speed)
         hand.strike() if session.strokes == 0 else hand.key(pygame.K_SPACE)
     run(hand, 3.5)
 
@@ -194,7 +194,7 @@ def calling(hand: Hand) -> None:
 
 def snooker(hand: Hand) -> None:
     """A frame of snooker: the cue ball in hand, in the D."""
-    session = Session(Match(hand.play.session.table, Setup("snooker", names=("Ann", "Bob"), breaker=0, seed=4)))
+    session = Session(Match(hand.play.state.session.table, Setup("snooker", names=("Ann", "Bob"), breaker=0, seed=4)))
     hand.app.scene = hand.app.lobby.begin(session)
     red = session.layout[session.ask.on[0]]
     hand.point(red.x, red.y + 0.03)
@@ -211,12 +211,10 @@ def ended(hand: Hand) -> None:
 
 def drill(hand: Hand) -> None:
     """A drill: its goal is marked on the cloth."""
-    hand.app.scene = DrillPlay(load_drill("follow"), hand.play, hand.play)
+    hand.app.scene = hand.play.drill(load_drill("follow"), hand.play)
     hand.app.step(FRAME)
-    drilling = hand.app.scene
-    assert isinstance(drilling, DrillPlay)
-    ball = drilling.session.layout["1"]
-    hand.move(drilling.stage.view.to_screen(ball.x, ball.y))
+    ball = hand.play.state.session.layout["1"]
+    hand.point(ball.x, ball.y)
 
 
 def scene(hand: Hand, make: Callable[[Hand], ScreenScene]) -> None:
@@ -228,7 +226,7 @@ def scene(hand: Hand, make: Callable[[Hand], ScreenScene]) -> None:
 def replay(hand: Hand, key: int = 0) -> None:
     """A recorded match, a shot of which is shown; `key` is pressed then."""
     folder = Path(tempfile.mkdtemp(prefix="pool2d-"))
-    match = Match(hand.play.session.table, Setup("nine-ball", names=("Ann", "Bob"), race=3, breaker=0, seed=11))
+    match = Match(hand.play.state.session.table, Setup("nine-ball", names=("Ann", "Bob"), race=3, breaker=0, seed=11))
     with record(match, folder / "match.jsonl") as recorder:
         for shot in (Shot(0.3, 9.0), Shot(62.0, 4.0), Shot(-30.0, 5.0), Shot(200.0, 4.5)):
             if match.ask.kind == "aim":

@@ -8,7 +8,6 @@ import pygame
 
 from ..config.settings import GUIDES, Settings, Store
 from ..draw import text
-from ..draw.effects import effects_of, style_of
 from ..errors import InputError, suggest
 from ..game.session import practice
 from ..sound.mixer import Sounds
@@ -57,7 +56,6 @@ class App:
         KEYS.lay()
         self.sounds = Sounds()
         self.play = Play(practice(table, seed), self.sounds)
-        self.play.entered = self._follow
         self.toasts = Toasts()
         self._files = PresetWatcher(table)
         self._unsaved = 0.0
@@ -162,8 +160,7 @@ class App:
 
     def close(self) -> None:
         self._save()
-        # A match goes on under a drill that was opened over it; a drill has no record.
-        self.lobby.play.session.leave()
+        self.play.close()
         pygame.display.quit()
         self.sounds.close()
 
@@ -216,15 +213,9 @@ class App:
         except InputError as error:
             self.toast(say("window.picture_failed", reason=error), wrong=True)
 
-    def _follow(self, play: Play) -> None:
-        """Settings and files are for the table that is on the screen."""
-        if play is not self.play:
-            self.play = play
-            self._apply()
-
     def _name(self, scene: Scene) -> None:
         """Name the window after the table that is seen."""
-        title = ruling_text.table_title(scene.table or self.play.session.table)
+        title = ruling_text.table_title(scene.table or self.play.state.session.table)
         self.window.name(f"pool2d \N{EN DASH} {title}")
 
     # The settings.
@@ -237,11 +228,7 @@ class App:
             self.toast(str(error), wrong=True)
         words.tell_speeds_in(values.aiming.speed_unit)
         self.toasts.still = values.screen.reduced_motion
-        self.play.level = GUIDES.index(values.aiming.guide)
-        self.play.effects = effects_of(values)
-        self.play.stage.style = style_of(values)
-        if self.play.tuning is not None:
-            self.play.tuning.fill()
+        self.play.take_options(values)
         self.sounds.volume = values.sound.volume
         self.sounds.mute(values.sound.mute)
         self._unsaved = 0.0
@@ -265,8 +252,9 @@ class App:
 
     def _keep(self, dt: float) -> None:
         """Keep what hands have changed in play, and write it once it has settled."""
-        if GUIDES[self.play.level] != self.store.values.aiming.guide:
-            self.store.turn("aiming.guide", GUIDES[self.play.level])
+        level = GUIDES[self.play.state.show.level]
+        if level != self.store.values.aiming.guide:
+            self.store.turn("aiming.guide", level)
         self.lobby.watch()
         while text.failed:
             self.toast(say("window.font_failed", path=text.failed.pop()), wrong=True)
@@ -287,16 +275,16 @@ class App:
 
         A match or a drill keeps its table; what has changed meanwhile is taken in practice after it.
         """
-        if not self.play.session.is_practice:
+        if not self.play.state.mode.may_arrange:
             return
-        table = self.play.session.table
+        table = self.play.state.session.table
         if (table.source, table.conditions) != self._files.behind:
             self._files = PresetWatcher(table)
-            self.play.warning = ""
+            self.play.state.messages.warning = ""
         if self._files.changed(dt):
             self.redraw()
             try:
-                self.play.change_table(load_table(table.source, table.set, table.conditions))
-                self.play.warning = ""
+                self.play.state.change_table(load_table(table.source, table.set, table.conditions))
+                self.play.state.messages.warning = ""
             except InputError as error:
-                self.play.warning = str(error)
+                self.play.state.messages.warning = str(error)

@@ -122,7 +122,7 @@ def test_only_what_moves_while_a_shot_runs_is_drawn_roughly(hand: Hand, monkeypa
     hand.point(0.5, 0.5)
     assert seen == {True: 16, False: 0}
     hand.key(pygame.K_RETURN)
-    while hand.play.time <= 0.02:
+    while hand.time <= 0.02:
         hand.app.step(FRAME)
     assert seen == {True: 15, False: 1}
     hand.key(pygame.K_p)
@@ -195,18 +195,18 @@ def test_the_style_of_a_stage_is_the_style_of_its_balls(hand: Hand) -> None:
         return pixels(hand.app.window.surface)
 
     plain = shot()
-    hand.play.stage.style = Style(theme.COLOR_BLIND, patterned=True)
+    hand.play.state.show.style = Style(theme.COLOR_BLIND, patterned=True)
     other = shot()
-    hand.play.stage.style = Style()
+    hand.play.state.show.style = Style()
     assert other != plain == shot()
 
 
 def test_a_ball_falls_in_sight_and_lies_in_the_tray(hand: Hand) -> None:
-    table = hand.play.session.table
+    table = hand.play.state.session.table
     hole = next(pocket for pocket in table.geometry.pockets if pocket.name == "bottom-left")
     hand.set_balls(Ball("cue", 0.5, 0.5), Ball("1", 0.25, 0.25), Ball("2", 1.2, 0.3))
     play = hand.play
-    play.hands.aim = play.hands.aim.with_speed(2.0).toward(-1.0, -1.0)
+    play.state.hands.aim = play.state.hands.aim.with_speed(2.0).toward(-1.0, -1.0)
     tray = play.stage.screen.tray
 
     def in_tray() -> bool:
@@ -223,13 +223,13 @@ def test_a_ball_falls_in_sight_and_lies_in_the_tray(hand: Hand) -> None:
     hand.app.step(0.0)
     dark = near_hole()
     hand.key(pygame.K_SPACE)
-    assert play.playback is not None
-    drop = next(event.t for event in play.playback.rollout.events if event.kind == "ball_pocket")
-    play.playback.time = drop + 0.4 * DROP
+    assert play.state.playback is not None
+    drop = next(event.t for event in play.state.playback.rollout.events if event.kind == "ball_pocket")
+    play.state.playback.time = drop + 0.4 * DROP
     hand.app.step(0.0)
     assert near_hole() > dark + 60.0
     assert not in_tray()
-    play.playback.time = drop + DROP
+    play.state.playback.time = drop + DROP
     hand.app.step(0.0)
     assert near_hole() < dark + 20.0
     assert in_tray()
@@ -243,17 +243,17 @@ def test_a_ball_falls_in_sight_and_lies_in_the_tray(hand: Hand) -> None:
 def test_the_last_ball_is_seen_to_its_end(hand: Hand) -> None:
     play = hand.play
     last = Layout([Ball("cue", 0.5, 0.5), Ball("1", 0.1, 0.1, vx=-0.5, vy=-0.5)])
-    rollout = simulate(play.session.table, last)
+    rollout = simulate(play.state.session.table, last)
     assert rollout.events[-1].kind == "ball_pocket"
-    play.playback = Playback(rollout, None)
-    play.playback.time = rollout.duration
+    play.state.playback = Playback(rollout, None)
+    play.state.playback.time = rollout.duration
     hand.app.step(0.5 * DROP)
-    assert play.playback is not None
+    assert play.state.playback is not None
     hand.app.step(0.6 * DROP)
-    assert play.playback is None
-    play.playback = Playback(rollout, None)
+    assert play.state.playback is None
+    play.state.playback = Playback(rollout, None)
     hand.key(pygame.K_SPACE)
-    assert play.playback is None
+    assert play.state.playback is None
 
 
 def test_a_resting_table_looks_the_same_frame_after_frame(hand: Hand) -> None:

@@ -115,7 +115,7 @@ def test_trails_are_an_option(hand: Hand, monkeypatch: pytest.MonkeyPatch, effec
         return []
 
     monkeypatch.setattr(trail, "draw", record)
-    hand.play.effects = effects
+    hand.play.state.show.effects = effects
     hand.key(pygame.K_SPACE)
     assert bool(drawn) is shown
 
@@ -175,7 +175,7 @@ def test_v_shows_the_arrows_and_a_legend_clear_of_the_cloth(hand: Hand, size: tu
     hand.point(1.7, 0.3)
     plain = pygame.image.tobytes(hand.app.window.surface, "RGB")
     hand.key(pygame.K_v)
-    assert hand.play.vectors
+    assert hand.play.state.show.vectors
     assert pygame.image.tobytes(hand.app.window.surface, "RGB") != plain
     hand.key(pygame.K_v)
-    assert not hand.play.vectors
+    assert not hand.play.state.show.vectors

@@ -37,7 +37,7 @@ def any_hand(request: pytest.FixtureRequest) -> Iterator[Hand]:
 
 
 def test_a_shot_and_a_scratch_on_every_table(any_hand: Hand) -> None:
-    session, table = any_hand.play.session, any_hand.play.session.table
+    session, table = any_hand.play.state.session, any_hand.play.state.session.table
     any_hand.key(pygame.K_SPACE)
     any_hand.wait_for_rest()
     assert session.strokes == 1

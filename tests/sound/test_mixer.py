@@ -271,9 +271,9 @@ def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand, monkeypatch: pytest.M
 def test_after_a_miscue_the_tip_is_chalked(hand: Hand, started: Started) -> None:
     while hand.app.sounds.prepare():
         pass
-    hand.play.hands.nudge_tip(0.9, 0.0)
+    hand.play.state.hands.nudge_tip(0.9, 0.0)
     hand.key(pygame.K_SPACE)
-    assert hand.play.message_text.startswith("Miscue")
+    assert hand.play.state.messages.text.startswith("Miscue")
     started.clear()
     hand.key(pygame.K_SPACE)
     assert len(started) == 1
@@ -285,5 +285,5 @@ def test_skipping_to_the_end_is_silent(hand: Hand, started: Started) -> None:
     hand.key(pygame.K_SPACE)
     started.clear()
     hand.key(pygame.K_SPACE)
-    assert hand.play.rollout is None
+    assert hand.play.state.rollout is None
     assert not started

@@ -35,6 +35,12 @@ class Hand:
         self.open = app.step(0.0)
         self.at = (0, 0)
 
+    @property
+    def time(self) -> float:
+        """The moment of the shot that is shown, s; below 0 the cue is still on its way."""
+        shown = self.play.state.playback
+        return 0.0 if shown is None else shown.time
+
     def post(self, kind: int, **fields: Any) -> None:
         pygame.event.post(pygame.event.Event(kind, **fields))
         self.open = self.app.step(FRAME)
@@ -64,12 +70,12 @@ class Hand:
 
     def pull(self, pixels: float) -> None:
         """From a pressed button, go back along the cue."""
-        angle = math.radians(self.play.hands.aim.angle)
+        angle = math.radians(self.play.state.hands.aim.angle)
         self.move((self.at[0] - pixels * math.cos(angle), self.at[1] + pixels * math.sin(angle)))
 
     def wait_for_rest(self) -> None:
         for _ in range(3000):
-            if not self.play.rollout:
+            if not self.play.state.rollout:
                 return
             self.app.step(FRAME)
         raise AssertionError("the balls are still running")
@@ -77,7 +83,7 @@ class Hand:
     def strike(self) -> None:
         """Strike by key, and see it to its end at once; where no stroke is armed, the first press arms it."""
         self.app.step(0.5)
-        for _ in range(1 if self.play.hands.armed else 2):
+        for _ in range(1 if self.play.state.hands.armed else 2):
             self.key(pygame.K_SPACE)
         self.key(pygame.K_SPACE)
         self.app.step(0.5)
@@ -85,8 +91,8 @@ class Hand:
 
     def set_balls(self, *balls: Ball, in_hand: bool = False) -> None:
         """Put these balls on the table instead of the rack; the cue ball is taken in hand where that is asked for."""
-        cue = self.play.session.table.furniture.cue
-        self.play.session.arrange(Layout(ball for ball in balls if not (in_hand and ball.id == cue)))
+        cue = self.play.state.session.table.furniture.cue
+        self.play.state.session.arrange(Layout(ball for ball in balls if not (in_hand and ball.id == cue)))
 
 
 @pytest.fixture(autouse=True)

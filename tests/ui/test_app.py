@@ -95,7 +95,7 @@ def test_a_word_wider_than_the_room_is_broken() -> None:
 def test_a_window_at_rest_waits_and_takes_what_it_waited_for(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
     while hand.app.sounds.prepare():
         pass
-    angle = hand.play.hands.aim.angle
+    angle = hand.play.state.hands.aim.angle
     waits = iter([
         pygame.event.Event(pygame.NOEVENT),
         pygame.event.Event(pygame.KEYDOWN, key=pygame.K_LEFT, mod=0, unicode=""),
@@ -106,7 +106,7 @@ def test_a_window_at_rest_waits_and_takes_what_it_waited_for(hand: Hand, monkeyp
     monkeypatch.setattr(hand.play, "draw", frames.append)
     monkeypatch.setattr(pygame.event, "wait", lambda timeout: next(waits))
     hand.app.run()
-    assert hand.play.hands.aim.angle == pytest.approx((angle + 0.05) % 360.0)
+    assert hand.play.state.hands.aim.angle == pytest.approx((angle + 0.05) % 360.0)
     assert len(frames) == 1, "one for the key: the first was drawn before, and nothing else has happened"
 
 
@@ -121,7 +121,7 @@ def test_a_window_where_balls_run_does_not_wait(hand: Hand, monkeypatch: pytest.
     step = hand.app.step
     monkeypatch.setattr(hand.app, "step", lambda dt: step(dt) and next(steps))
     hand.app.run()
-    assert hand.play.playback is not None
+    assert hand.play.state.playback is not None
 
 
 def test_full_screen_and_back(hand: Hand) -> None:
@@ -162,7 +162,7 @@ def test_every_action_that_a_key_is_bound_to_does_something(hand: Hand) -> None:
     window = {"fullscreen", "screenshot", "mute", "options", "drills", "help", "quit"}
     drills = {"next_drill", "solution"}
     turns = {"turn_left", "turn_right"}
-    assert set(DEFAULTS) == window | turns | drills | {"call", "call_ball"} | set(hand.play._keys)
+    assert set(DEFAULTS) == window | turns | drills | {"call", "call_ball"} | set(hand.play.controller._keys)
 
 
 def test_no_two_actions_share_a_key() -> None:
@@ -207,10 +207,10 @@ def test_a_key_that_is_held_does_once_what_is_done_once(
 
 
 def test_a_key_that_is_held_goes_on_turning_the_aim(hand: Hand) -> None:
-    angle = hand.play.hands.aim.angle
+    angle = hand.play.state.hands.aim.angle
     for _ in range(5):
         hand.post(pygame.KEYDOWN, key=pygame.K_LEFT, mod=0, unicode="")
-    assert hand.play.hands.aim.angle == pytest.approx(angle + 0.25)
+    assert hand.play.state.hands.aim.angle == pytest.approx(angle + 0.25)
 
 
 def test_a_screenshot_that_a_full_disk_takes_in_part_is_told(
@@ -258,20 +258,20 @@ def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(own: Own) ->
     app, preset, good = own
     preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
     app.step(1.0)
-    assert app.play.session.table.knobs.cloth.mu_roll == 0.02
+    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
     preset.write_text(good + "\n[cloth]\nmu_rol = 0.03\n")
     app.step(1.0)
-    assert app.play.session.table.knobs.cloth.mu_roll == 0.02
-    assert "mu_rol" in app.play.warning and "mu_roll?" in app.play.warning
+    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
+    assert "mu_rol" in app.play.state.messages.warning and "mu_roll?" in app.play.state.messages.warning
     line = len(good.splitlines()) + 3
-    assert f"line {line}:" in app.play.warning
+    assert f"line {line}:" in app.play.state.messages.warning
     preset.unlink()
     app.step(1.0)
-    assert "cannot be read" in app.play.warning
+    assert "cannot be read" in app.play.state.messages.warning
     preset.write_text(good)
     app.step(1.0)
-    assert app.play.warning == ""
-    assert app.play.session.table.knobs.cloth.mu_roll == 0.01
+    assert app.play.state.messages.warning == ""
+    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.01
 
 
 def test_a_change_of_the_base_is_taken_too(tmp_path: Path) -> None:
@@ -281,11 +281,11 @@ def test_a_change_of_the_base_is_taken_too(tmp_path: Path) -> None:
     app = App(load_table(str(mine)), seed=1)
     try:
         app.step(0.0)
-        assert app.play.session.table.knobs.cloth.mu_roll == 0.012
+        assert app.play.state.session.table.knobs.cloth.mu_roll == 0.012
         base.write_text('base = "pool-9ft"\n[cloth]\nmu_roll = 0.0215\n')
         app.step(1.0)
-        assert app.play.session.table.knobs.cloth.mu_roll == 0.0215
-        assert app.play.session.table.knobs.ball.restitution == 0.93
+        assert app.play.state.session.table.knobs.cloth.mu_roll == 0.0215
+        assert app.play.state.session.table.knobs.ball.restitution == 0.93
     finally:
         app.close()
 
@@ -299,23 +299,23 @@ def test_a_missing_font_is_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: P
 
 
 def test_the_window_is_named_after_the_table_that_is_played_on(hand: Hand) -> None:
-    assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + hand.play.session.table.title
-    hand.play.open_table("snooker-12ft")
+    assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + hand.play.state.session.table.title
+    hand.play.state.open_table("snooker-12ft")
     hand.app.step(FRAME)
     assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + load_table("snooker-12ft").title
 
 
 def test_a_match_keeps_its_table_and_practice_takes_what_was_saved_meanwhile(own: Own) -> None:
     app, preset, good = own
-    app.scene = app.lobby.begin(recorded(app.play.session.table, Setup("nine-ball", breaker=0)))
+    app.scene = app.lobby.begin(recorded(app.play.state.session.table, Setup("nine-ball", breaker=0)))
     preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
     app.step(1.0)
-    assert app.play.session.table.knobs.cloth.mu_roll == 0.01
-    assert app.play.warning == ""
+    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.01
+    assert app.play.state.messages.warning == ""
     app.lobby.leave()
     app.scene = app.play
     app.step(1.0)
-    assert app.play.session.table.knobs.cloth.mu_roll == 0.02
+    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
 
 
 def test_the_window_is_named_after_the_table_of_a_replay(hand: Hand) -> None:

@@ -78,7 +78,7 @@ def test_an_event_after_a_resize_meets_what_stands_at_its_place_then(hand: Hand)
     pygame.event.post(pygame.event.Event(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1]))
     pygame.event.post(pygame.event.Event(pygame.MOUSEMOTION, pos=(480, 200), rel=(0, 0), buttons=(0, 0, 0)))
     hand.app.step(FRAME)
-    aim = hand.play.hands.aim.angle
+    aim = hand.play.state.hands.aim.angle
     hand.move((400, 100))
     hand.move((480, 200))
-    assert hand.play.stage.screen.width == 960 and hand.play.hands.aim.angle == aim
+    assert hand.play.stage.screen.width == 960 and hand.play.state.hands.aim.angle == aim

@@ -5,14 +5,14 @@ from __future__ import annotations
 import pygame
 import pytest
 
-from pool2d import load_table
 from pool2d.draw import text, theme
 from pool2d.errors import BudgetError
-from pool2d.game.session import practice
+from pool2d.game.drills.drill_file import load
 from pool2d.ui.dialogs.list_page import ListPage
 from pool2d.ui.dialogs.pick import Pick
 from pool2d.ui.menus.menu import Item, MenuEntry
-from pool2d.ui.play.play import Play
+from pool2d.ui.play.modes.drill_mode import DrillMode
+from pool2d.ui.play.modes.practice_mode import PracticeMode
 from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.widgets.widget import Heading, Widget
 
@@ -26,16 +26,16 @@ from .conftest import FRAME, Hand
 )
 def test_each_key_of_the_tip_moves_it_one_way(hand: Hand, key: int, tip: tuple[float, float]) -> None:
     hand.key(key)
-    assert (hand.play.hands.aim.side, hand.play.hands.aim.height) == tip
+    assert (hand.play.state.hands.aim.side, hand.play.state.hands.aim.height) == tip
 
 
 def test_a_key_whose_release_was_never_told_is_pressed_anew(hand: Hand) -> None:
     hand.post(pygame.KEYDOWN, key=pygame.K_v, mod=0, unicode="v")
     hand.post(pygame.KEYDOWN, key=pygame.K_v, mod=0, unicode="v")
-    assert hand.play.vectors
+    assert hand.play.state.show.vectors
     hand.post(pygame.WINDOWFOCUSLOST)
     hand.post(pygame.KEYDOWN, key=pygame.K_v, mod=0, unicode="v")
-    assert not hand.play.vectors
+    assert not hand.play.state.show.vectors
 
 
 def test_delete_throws_away_only_what_can_be_and_when_asked_twice() -> None:
@@ -63,7 +63,7 @@ def test_the_wheel_holds_a_shot_that_is_seen_again(hand: Hand) -> None:
     hand.strike()
     hand.key(pygame.K_r)
     hand.app.step(0.5)
-    shown = hand.play.playback
+    shown = hand.play.state.playback
     assert shown is not None and not shown.paused
     hand.wheel(1)
     assert shown.paused
@@ -130,33 +130,37 @@ def test_where_a_ball_in_hand_may_go_is_shaded(
         return [hand.app.window.surface.get_at((round(x), round(y))) for x, y in places]
 
     # The guide and the cue are out of the way of both.
-    hand.play.hands.aim = hand.play.hands.aim.toward(1.0, 0.0)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.toward(1.0, 0.0)
     before = colors()
     hand.key(pygame.K_x)
-    hand.play.in_hand.at = (1.2, 1.1)
+    hand.play.state.in_hand.at = (1.2, 1.1)
     inside, outside = colors()
     assert inside.r > before[0].r + 8 and outside == before[1]
 
 
-def test_another_table_on_the_screen_is_as_the_settings_say(hand: Hand) -> None:
+def test_a_drill_on_the_table_is_as_the_settings_say(hand: Hand) -> None:
     hand.app.store.turn("aiming.guide", "off")
     hand.app.store.turn("balls.patterned", True)
-    other = Play(practice(load_table("pool-7ft"), 1), hand.app.sounds)
-    other.entered = hand.play.entered
-    hand.app.scene = other
+    hand.play.drill(load("stop-shot"), hand.play)
     hand.app.step(FRAME)
-    assert hand.app.play is other
-    assert other.level == 0 and other.stage.style.patterned
+    assert isinstance(hand.play.state.mode, DrillMode)
+    assert hand.play.state.show.level == 0 and hand.play.stage.style.patterned
+    # What is chosen there holds for the table that it came from.
+    hand.key(pygame.K_g)
+    hand.app.store.turn("balls.patterned", False)
+    hand.key(pygame.K_ESCAPE)
+    assert isinstance(hand.play.state.mode, PracticeMode)
+    assert hand.play.state.show.level == 1 and not hand.play.stage.style.patterned
 
 
 def test_a_shot_that_the_engine_gives_up_is_told_and_the_balls_stay(two: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
-    before = two.play.session.layout
+    before = two.play.state.session.layout
 
     def gives_up(*given: object, **more: object) -> None:
         raise BudgetError(50_000, 1.0, {})
 
-    monkeypatch.setattr("pool2d.ui.stage.stage.simulate", gives_up)
-    monkeypatch.setattr(two.play.session, "play", gives_up)
+    monkeypatch.setattr("pool2d.ui.play.foresight.simulate", gives_up)
+    monkeypatch.setattr(two.play.state.session, "play", gives_up)
     two.key(pygame.K_SPACE)
-    assert two.open and two.play.playback is None
-    assert "not over" in two.play.message_text and two.play.session.layout == before
+    assert two.open and two.play.state.playback is None
+    assert "not over" in two.play.state.messages.text and two.play.state.session.layout == before

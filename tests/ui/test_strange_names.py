@@ -96,7 +96,7 @@ def test_the_menu_opens_beside_damaged_records(data: Path) -> None:
 def test_the_caption_and_notes_take_any_title(guest: Hand) -> None:
     table = load_table("pool-9ft", {"cloth.mu_roll": 0.011})
     table.title, table.source = "a\0\x1b" + "x" * 50_000, "mine.toml"
-    guest.app.play.change_table(table)
+    guest.app.play.state.change_table(table)
     guest.app.step(0.1)
     assert pygame.display.get_caption()[0].isprintable()
     for words in NASTY:

@@ -10,16 +10,16 @@ from ...errors import InputError
 from ...game.drills.drill import Drill
 from ...game.drills.drill_file import best, drills, load
 from ..dialogs.list_page import ListPage
-from ..play.drill_scene import DrillPlay, task, title
 from ..play.play import Play
 from ..scene import Scene
 from ..widgets.list_row import ListRow
 from ..widgets.widget import Heading, Widget
+from ..wording import ruling_text
 from ..wording.words import say
 
 
 class DrillList(ListPage):
-    """Every drill with its goal and the best result; it is played on a table that looks and sounds as `play` does."""
+    """Every drill with its goal and the best result; it is played on `play` over what is played there."""
 
     def __init__(self, below: Scene, play: Play) -> None:
         self.play = play
@@ -36,8 +36,8 @@ class DrillList(ListPage):
             return Heading(lambda: told, theme.WARNING, lines=2)
         record = best(drill.id)
         note = "" if record is None else say("drill.best", best=record, most=drill.most)
-        return ListRow(title(drill), partial(self._open, drill), note, task(drill))
+        wording = ruling_text.wording(drill)
+        return ListRow(wording.name, partial(self._open, drill), note, wording.text)
 
     def _open(self, drill: Drill) -> None:
-        home = self.below.home if isinstance(self.below, DrillPlay) else self.below
-        self.go(DrillPlay(drill, home, self.play))
+        self.go(self.play.drill(drill, self.below))

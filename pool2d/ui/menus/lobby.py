@@ -67,7 +67,7 @@ class Lobby:
         if (end := self.ended()) is not None:
             return end
         entries = [MenuEntry(lambda: say("pause.resume"), lambda: self.play)]
-        if not self.play.session.is_practice:
+        if not self.play.state.mode.may_arrange:
             entries.append(MenuEntry(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
             entries.append(MenuEntry(lambda: say("pause.stalemate"), lambda: self._ask_to_begin_again(menu)))
         entries += self._always(lambda: menu)
@@ -77,7 +77,7 @@ class Lobby:
 
     def ended(self) -> Scene | None:
         """How the frame or the match has ended; None while it goes on."""
-        session = self.play.session
+        session = self.play.state.session
         if not session.match.state.over:
             return None
         if session.match.over:
@@ -86,26 +86,27 @@ class Lobby:
 
     def begin(self, session: Session) -> Scene:
         """Play a session, in place of the one so far; what follows from where it stands."""
-        if self.play.session.is_practice:
-            self._practice = self.play.session, self.play.hands.aim
-        self.play.begin(session)
+        if self.play.state.mode.may_arrange:
+            self._practice = self.play.state.session, self.play.state.hands.aim
+        self.play.state.begin(session)
         return self.ended() or self.play
 
     def leave(self) -> Scene:
         """Go to the menu; a match that is left can be continued, and practice goes on where it was."""
-        if not self.play.session.is_practice:
-            session, aim = self._practice or (practice(self.play.session.table, _seed()), Aim())
-            self.play.begin(session)
-            self.play.hands.aim = aim
+        if not self.play.state.mode.may_arrange:
+            session, aim = self._practice or (practice(self.play.state.session.table, _seed()), Aim())
+            self.play.state.begin(session)
+            self.play.state.hands.aim = aim
         return self.menu()
 
     def watch(self) -> None:
         """Tell once where the record of the match can no longer be written."""
-        recorder = self.play.session.recorder
+        recorder = self.play.state.session.recorder
         fault = None if recorder is None else recorder.fault
+        # What was told stays so under a drill, which has no record.
         if fault is not None and fault is not self._reported:
             self.tell(str(fault))
-        self._reported = fault
+            self._reported = fault
 
     # What entries lead to.
 
@@ -162,10 +163,10 @@ class Lobby:
         return self.begin(Session(recorder.match, recorder))
 
     def _new_match(self, menu: Scene) -> Scene:
-        return NewMatch(menu, self.store, self.play.session.table, self.begin)
+        return NewMatch(menu, self.store, self.play.state.session.table, self.begin)
 
     def _ask_to_concede(self, menu: Scene) -> Scene:
-        session = self.play.session
+        session = self.play.state.session
         name = session.match.names[session.ask.player]
 
         def concede() -> Scene:
@@ -175,22 +176,22 @@ class Lobby:
         return Confirm(menu, say("pause.concedes", name=name), say("pause.concede"), concede)
 
     def _ask_to_begin_again(self, menu: Scene) -> Scene:
-        session = self.play.session
+        session = self.play.state.session
 
         def begin_again() -> Scene:
             session.stalemate()
-            self.play.drop()
-            self.play.tell_standing_message()
+            self.play.state.drop()
+            self.play.state.messages.clear()
             return self.play
 
         return Confirm(menu, say("pause.stalemates"), say("pause.stalemate"), begin_again)
 
     def _next_frame(self) -> Scene:
-        self.play.session.next_frame()
+        self.play.state.session.next_frame()
         return self.play
 
     def _again(self) -> Scene:
-        match = self.play.session.match
+        match = self.play.state.session.match
         try:
             return self.begin(recorded(match.table, replace(match.setup, seed=_seed())))
         except InputError as error:

@@ -38,5 +38,5 @@ class TableList(ListPage):
         return ListRow(table_title(table), do, below=games)
 
     def _open(self, name: str) -> None:
-        self.play.open_table(name)
+        self.play.state.open_table(name)
         self.go(self.play)

@@ -7,14 +7,14 @@ import pygame
 from ...draw import pen, theme
 from ...draw.view import View
 from ...game.match import Moment
-from ...game.rules import AIM, CHOOSE, OVER, PLACE, Ask
+from ...game.rules import CHOOSE
 from ...game.session import Session, placing
 from ..screen import Screen
 from ..widgets.form import Form
 from ..widgets.widget import Button, Toggle, Widget
 from ..wording import ruling_text, shot_text
 from ..wording.keyboard import digit_of
-from ..wording.keys import KEYS, action_of
+from ..wording.keys import action_of
 from ..wording.words import say
 from .calls import Calls
 
@@ -29,8 +29,8 @@ class CallStrip:
     `taken` is how much of the message's room it takes, in pixels.
     """
 
-    def __init__(self) -> None:
-        self.calls = Calls()
+    def __init__(self, calls: Calls) -> None:
+        self.calls = calls
         self.form = Form([], margin=1)
         self.taken = 0
         self._moment: Moment | None = None
@@ -72,60 +72,6 @@ class CallStrip:
             return True
         # While there is nothing else to do the strip's keys come first.
         return session.ask.kind == CHOOSE and event.key in _CHOOSING and self.form.handle(event)
-
-    def warning(self, session: Session, aimed: str) -> str:
-        """What to say of an aim that would hit a ball that is not on; empty where all is well."""
-        ask, calls = session.ask, self.calls
-        wanted = (calls.ball,) if ask.call == "ball" and calls.ball else ask.on
-        free = session.is_practice or calls.push or ask.kind != AIM or ask.cues
-        if free or not aimed or not wanted or aimed in wanted:
-            return ""
-        return say("referee.not_on", ball=ruling_text.ball(aimed))
-
-    def message(self, session: Session, aimed: str) -> str:
-        """What has been called, in words, and what is missing of it; empty where nothing has been pointed out."""
-        ball, pocket = self.calls.meant(session), self.calls.pocket
-        if session.ask.cues or not (ball or pocket):
-            return ""
-        named = ruling_text.ball(ball or aimed) if ball or aimed else say("referee.aimed_at")
-        if session.ask.call == "ball":
-            return say("referee.named", ball=named)
-        if not pocket:
-            return say("referee.pocket_next", ball=named, key=KEYS.shown("call"))
-        return say("referee.called", ball=named, where=shot_text.place_name(pocket))
-
-    def verdict(self, session: Session, held: bool = False) -> str:
-        """What the last ruling says, in sentences, and what it leaves to the player, who may have a ball in hand."""
-        ask = session.ask
-        # To put the cue ball down is no news.
-        moment = next(moment for moment in reversed(session.match.history) if not placing(moment))
-        said = [ruling_text.verdict(moment, session.match)]
-        if ask.kind in (AIM, PLACE) and not session.is_practice:
-            said += self._on(ask)
-        if self.calls.pockets(session) and not (self.calls.ball or self.calls.pocket):
-            said.append(say("referee.may_call"))
-        if ask.where and ask.kind in (AIM, PLACE):
-            said.append(say(f"referee.{'put' if held else 'movable'}.{ask.where}"))
-            if held and ask.kind == AIM:
-                said.append(say("referee.leave", key=KEYS.shown("cancel")))
-        if ask.kind == OVER:
-            said.append(say("referee.over", key=KEYS.shown("strike")))
-        return " ".join(said)
-
-    def _on(self, ask: Ask) -> list[str]:
-        """What may be hit, where that is one ball or one of many alike, or has to be named."""
-        names = {ruling_text.ball(ball) for ball in ask.on}
-        said = []
-        if len(names) == 1:
-            alike = len(ask.on) > 1
-            said.append(say("referee.on_any", ball=names.pop()) if alike else say("referee.on", ball=names.pop()))
-        elif ask.call == "ball":
-            said.append(say("referee.name_one"))
-        if ask.cues:
-            said.append(say("referee.any_strikes"))
-        if "push" in ask.may:
-            said.append(say("referee.may_push"))
-        return said
 
     def place(self, screen: Screen, session: Session) -> None:
         """Lay the strip out in the lower bar: a choice where else the cue's diagrams are, calls at the end."""

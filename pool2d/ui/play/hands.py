@@ -9,6 +9,7 @@ from dataclasses import replace
 from ...draw.view import View
 from ...game.aim import FULL_PULL, Aim, pulled_speed
 from ...physics.values import Ball, Layout
+from ..scene import GUARD
 from ..screen import Screen
 
 Pos = tuple[int, int]
@@ -27,7 +28,8 @@ class Hands:
     `pull` is where a pull began and `pulled` how far back it has come, as a part of the window's height; `clicked`
     tells whether the pointer has stayed where it began; `drag` names the diagram being dragged; `hold` is where the
     pointer was when the aim was set by wheel or keys. `armed` is whether a key may strike: not until a hand has shown
-    that it means this stroke, and not what was there before it. `keys` is what keys do, by the names of their actions.
+    that it means this stroke, and not what was there before it. `player` is whose hands they are, `rested` how long
+    the balls have been at rest, s. `keys` is what keys do, by the names of their actions.
     """
 
     def __init__(self) -> None:
@@ -39,6 +41,8 @@ class Hands:
         self.drag = ""
         self.hold: Pos | None = None
         self.armed = True
+        self.player = 0
+        self.rested = math.inf
         self._pointed: tuple[float, float] | None = None
         self.keys: dict[str, Callable[[], None]] = {
             "harder": lambda: self.change_speed(0.25),
@@ -56,6 +60,11 @@ class Hands:
     def busy(self) -> bool:
         """Whether a button is held on the cue or on a diagram."""
         return self.pull is not None or bool(self.drag)
+
+    @property
+    def guarded(self) -> bool:
+        """Whether the balls have come to rest just now, so that a key may still be meant for the shot."""
+        return self.rested <= GUARD
 
     @property
     def speed(self) -> float:
@@ -134,7 +143,17 @@ class Hands:
         """Turn the aim finely; it holds against small movements of the pointer."""
         if self.pull is None:
             self.aim = self.aim.turned(degrees)
-            self.hold = self.pointer
+            self.keep_aim()
+
+    def keep_aim(self) -> None:
+        """Let the aim stay, or a ball that is held, until the pointer is moved."""
+        self.hold = self.pointer
+
+    def rest(self, keep: bool) -> None:
+        """The balls have come to rest; where the pointer has been elsewhere meanwhile the aim is to be kept."""
+        self.rested = 0.0
+        self.armed = False
+        self.hold = self.pointer if keep else None
 
     def nudge_tip(self, side: float, height: float) -> None:
         self.aim = self.aim.with_spin(self.aim.side + side, self.aim.height + height)

@@ -2,20 +2,41 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+from ...game.match import Moment
 from ...game.rules.spotting import KITCHEN, D, within
 from ...game.session import Session
 from ...physics.values import Ball
 from ..wording.words import say
 
 Point = tuple[float, float]
+Pos = tuple[int, int]
+
+
+@dataclass
+class Grip:
+    """A button that went down at `pos` on a ball, or on the bare cloth where `ball` is ""."""
+
+    button: int
+    pos: Pos
+    ball: str
+    # From the pointer to the ball's middle, m.
+    offset: Point = (0.0, 0.0)
+    moved: bool = False
 
 
 class InHand:
-    """`ball` is one that was picked up, or ""; `at` is where the ball is held, m; None before a hand has moved it."""
+    """`ball` is one that was picked up, or ""; `at` is where the ball is held, m; None before a hand has moved it.
+
+    `grip` is the button that holds it, if one does; `given` the moment whose cue ball has been put into the hand.
+    """
 
     def __init__(self) -> None:
         self.ball = ""
         self.at: Point | None = None
+        self.grip: Grip | None = None
+        self.given: Moment | None = None
 
     def take(self, ball: str, at: Point | None = None) -> None:
         """Pick a ball up, from where it lies or straight to a place."""
@@ -24,6 +45,13 @@ class InHand:
     def let_go(self) -> None:
         """Forget what was done: a ball that was picked up is where it was."""
         self.ball, self.at = "", None
+
+    def put_back(self) -> None:
+        """Put back what is held, as if nothing had been done: what the rules gave is given again."""
+        self.grip = None
+        if self.ball:
+            self.given = None
+        self.let_go()
 
     def held(self, session: Session) -> Ball | None:
         """The ball in hand, as it would stand where it is held; None where no ball is."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Hashable
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import pygame
 
-from ...draw import cue, cue_motion, theme, vectors
+from ...draw import cue, cue_motion, guide, theme, vectors
 from ...draw.debug import ScreenPen, draw_geometry
+from ...draw.view import View
 from ...game.rules import AIM, CHOOSE
 from ...game.rules.spotting import KITCHEN, D
 from ...physics.strike import hop, miscue_limit
@@ -19,92 +19,106 @@ from ..stage import bars, scoreboard
 from ..stage.legend import draw_legend
 from ..stage.playback import Playback
 from ..stage.shot_view import in_motion
+from ..stage.stage import Stage
 from ..wording.words import manner, say
-
-if TYPE_CHECKING:
-    from .play import Play
+from . import marks
+from .call_words import called, off_target
+from .controller import Controller
+from .state import PlayState
 
 # From this height on, m, the player is told that a real ball would leave the cloth.
 _HOP = 0.005
 
 
-def draw(frame: Frame, play: Play) -> None:
+def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
     """Draw the whole window, as it was laid out."""
-    surface, screen = frame.surface, play.stage.screen
-    play.stage.begin(frame)
-    if play.draw_marks(surface) or play.geometry or play.vectors or play.tuning is not None:
+    show, stage, tuning, step = state.show, controller.stage, controller.tuning, state.mode.step
+    surface, table, shown = frame.surface, state.session.table, state.playback
+    stage.style = show.style
+    stage.begin(frame)
+    if step is not None:
+        marks.draw(surface, stage.view, table, step)
+    if step is not None or show.geometry or show.vectors or tuning is not None:
         frame.cover()
-    if play.playback is None:
-        _at_rest(frame, play)
+    if shown is None:
+        _at_rest(frame, state, controller)
     else:
-        in_motion(frame, play.stage, play.playback, play.effects)
-    if play.geometry:
-        draw_geometry(ScreenPen(surface, play.stage.view), play.session.table)
-    if play.vectors:
-        _vectors(surface, play)
-    if play.playback is not None and play.playback.running:
-        play.stage.bars.show(frame, screen, _bars_key(play, play.playback), lambda: _bars(surface, play))
+        in_motion(frame, stage, state.shown_balls, shown, show.effects)
+    if show.geometry:
+        draw_geometry(ScreenPen(surface, stage.view), table)
+    if show.vectors:
+        _vectors(surface, state, stage)
+    if shown is not None and shown.running:
+        key = _bars_key(state, controller, shown)
+        stage.bars.show(frame, stage.screen, key, lambda: _bars(surface, state, controller))
     else:
-        _bars(surface, play)
+        _bars(surface, state, controller)
         frame.cover()
-    if play.playback is not None and play.playback.review:
-        play.timeline.draw(surface, play.playback, play.session.table)
-        frame.replace([screen.bottom])
-    if play.playback is None:
-        play.call_strip.draw(surface)
-    if play.tuning is not None:
-        play.tuning.draw(surface)
+    if shown is not None and shown.review:
+        controller.timeline.draw(surface, shown, table)
+        frame.replace([stage.screen.bottom])
+    if shown is None:
+        controller.call_strip.draw(surface)
+    if tuning is not None:
+        tuning.draw(surface)
 
 
-def notes(play: Play, speed: float) -> str:
+def notes(state: PlayState, speed: float) -> str:
     """What is to be said of the shot that is aimed."""
-    session, shot = play.session, play.hands.aim.shot(play.session.cue.id, speed)
-    if play.playback is not None or session.ask.kind != AIM or speed == 0.0:
+    session, shot = state.session, state.hands.aim.shot(state.session.cue.id, speed)
+    if state.playback is not None or session.ask.kind != AIM or speed == 0.0:
         return ""
-    aimed = play.aimed(shot) if play.level or play.call_strip.calls.pocket else ""
-    off = play.call_strip.warning(session, aimed) if play.level else ""
+    aimed = state.first_hit(shot) if state.show.level or state.calls.pocket else ""
+    off = off_target(state.calls, session, aimed) if state.show.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
     slips = say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
-    return " ".join(filter(None, (play.call_strip.message(session, aimed), off, slips, hop_note(play, speed))))
+    return " ".join(filter(None, (called(state.calls, session, aimed), off, slips, hop_note(state, speed))))
 
 
-def hop_note(play: Play, speed: float) -> str:
+def hop_note(state: PlayState, speed: float) -> str:
     """What to say of a stroke so steep and hard that a real ball would leave the cloth."""
-    if play.hands.aim.elevation == 0.0 or play.playback is not None or play.session.in_hand:
+    if state.hands.aim.elevation == 0.0 or state.playback is not None or state.session.in_hand:
         return ""
-    knobs = play.session.table.knobs
-    apex = hop(play.hands.aim.shot("", speed), play.session.table.body_of(play.session.cue)[1], knobs)[1]
+    knobs = state.session.table.knobs
+    apex = hop(state.hands.aim.shot("", speed), state.session.table.body_of(state.session.cue)[1], knobs)[1]
     if apex < _HOP:
         return ""
     return say("play.hop", height=f"{1000.0 * apex:.0f} mm")
 
 
-def _at_rest(frame: Frame, play: Play) -> None:
+def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
     """The balls as they lie, the guide, and the cue or the ball in hand."""
-    surface = frame.surface
-    session, stage, hands = play.session, play.stage, play.hands
-    held = play.in_hand.held(session)
+    surface, session, stage, hands = frame.surface, state.session, controller.stage, state.hands
+    held = state.in_hand.held(session)
     aiming = held is None and session.ask.kind == AIM
-    if play.tuning is not None and hands.pull is None:
-        stage.comparison(surface, play.tuning.old, play.tuning.other, play.tuning.new)
+    if controller.tuning is not None and hands.pull is None:
+        stage.comparison(surface, controller.tuning.old, controller.tuning.other, controller.tuning.new)
     elif aiming and hands.speed > 0.0:
-        stage.guide(surface, play.level, session.layout, hands.aim.shot(session.cue.id, hands.speed))
-    if aiming and session.movable and not session.is_practice:
+        _guide(surface, state, stage)
+    if aiming and session.movable and not state.mode.may_arrange:
         stage.glow(surface, session.cue)
-    stage.balls(frame, session.layout, session.rollout, but=held.id if held is not None else "")
+    stage.balls(frame, state.shown_balls, but=held.id if held is not None else "")
     if held is not None:
-        _area(surface, play)
-        stage.in_hand(surface, held, play.in_hand.may_stand(session))
+        _area(surface, state, stage.view)
+        stage.in_hand(surface, held, state.in_hand.may_stand(session))
     elif aiming:
         shot = hands.aim.shot(session.cue.id, hands.aim.speed)
-        aimed = play.aimed(shot) if play.call_strip.calls.pocket else ""
-        play.call_strip.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
+        aimed = state.first_hit(shot) if state.calls.pocket else ""
+        controller.call_strip.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
         cue.draw(surface, session.table, session.cue, hands.aim, cue_motion.stand(hands.drawn), stage.view)
 
 
-def _area(surface: pygame.Surface, play: Play) -> None:
+def _guide(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
+    """What the stroke would do; off, it is not worked out either."""
+    session, level = state.session, state.show.level
+    if level != guide.OFF:
+        shot = state.hands.aim.shot(session.cue.id, state.hands.speed)
+        stage.guide(surface, level, state.foresight.rollout(session.table, level, session.layout, shot), shot.ball)
+
+
+def _area(surface: pygame.Surface, state: PlayState, view: View) -> None:
     """Where a cue ball in hand may go, where that is only a part of the table."""
-    table, where = play.session.table, play.session.ask.where
+    table, where = state.session.table, state.session.ask.where
     line, radius = table.furniture.head_string, table.furniture.d_radius
     if line is None or where not in (KITCHEN, D):
         return
@@ -115,18 +129,18 @@ def _area(surface: pygame.Surface, play: Play) -> None:
         middle = table.furniture.spots["head"][1]
         turns = (math.pi * (0.5 + i / 48) for i in range(49))
         outline = [(line + radius * math.cos(turn), middle + radius * math.sin(turn)) for turn in turns]
-    points = [play.stage.view.to_screen(x, y) for x, y in outline]
+    points = [view.to_screen(x, y) for x, y in outline]
     shade = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
     pygame.draw.polygon(shade, theme.AREA, points)
     surface.blit(shade, (0, 0))
 
 
-def _vectors(surface: pygame.Surface, play: Play) -> None:
+def _vectors(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     """The arrows of what is shown; that of the cue before a stroke."""
-    session, stage, shown = play.session, play.stage, play.playback
+    session, shown = state.session, state.playback
     vectors.draw(surface, session.layout if shown is None else shown.rollout.at(shown.time), session.table, stage.view)
     if shown is None and not session.in_hand:
-        shot = play.hands.aim.shot(session.cue.id, play.hands.speed)
+        shot = state.hands.aim.shot(session.cue.id, state.hands.speed)
         vectors.draw_cue(surface, session.cue, shot, session.table, stage.view)
     elif shown is not None and shown.shot is not None and shown.time <= 0.0:
         start = shown.rollout.start[shown.shot.ball]
@@ -134,34 +148,35 @@ def _vectors(surface: pygame.Surface, play: Play) -> None:
     draw_legend(surface, stage.screen)
 
 
-def _bars_key(play: Play, shown: Playback) -> Hashable:
+def _bars_key(state: PlayState, controller: Controller, shown: Playback) -> Hashable:
     """What the bars tell while a shot runs."""
-    stage, tuning = play.stage, play.tuning
-    drawn = (stage.screen, stage.style, stage.pocketed, play.hands.aim, play.message_text, play.warning, manner())
+    stage, tuning = controller.stage, controller.tuning
+    messages = state.messages
+    drawn = (stage.screen, stage.style, state.pocketed, state.hands.aim, messages.text, messages.warning, manner())
     # What stands to the players' credit comes with the moment, a drill's run with its stroke; it is told of a shot
     # only when it is seen again.
     error = tuning.error if tuning is not None else ""
-    return *drawn, play.session.match.now, shown.shot, shown.again, error
+    return *drawn, state.session.match.now, shown.shot, shown.again, error
 
 
-def _bars(surface: pygame.Surface, play: Play) -> None:
-    session, screen, hands = play.session, play.stage.screen, play.hands
+def _bars(surface: pygame.Surface, state: PlayState, controller: Controller) -> None:
+    session, screen, hands = state.session, controller.stage.screen, state.hands
     if session.match.rules.players == 1:
-        bars.draw_bars(surface, screen, *play.titles)
+        bars.draw_bars(surface, screen, *state.titles)
     else:
         bars.draw_bars(surface, screen, "", "")
         # While a shot runs for the first time, what comes of it is not told yet.
-        first = play.playback is not None and not play.playback.again
+        first = state.playback is not None and not state.playback.again
         scoreboard.draw(surface, screen, session.match, session.match.history[-2 if first else -1])
-    play.stage.tray(surface)
-    if session.ask.kind != CHOOSE or play.playback is not None:
-        struck = play.playback.shot if play.playback is not None else None
+    controller.stage.tray(surface, state.pocketed)
+    if session.ask.kind != CHOOSE or state.playback is not None:
+        struck = state.playback.shot if state.playback is not None else None
         aim, speed = hands.aim, hands.speed
         if struck is not None:
             # The pointer that moves meanwhile aims at nothing yet.
             aim, speed = replace(aim, angle=struck.angle), struck.speed
         bars.draw_controls(surface, screen, aim, speed, session.table.knobs.cue.tip_friction)
-    wrong = (play.tuning.error if play.tuning is not None else "") or play.warning
-    message = wrong or f"{play.message_text} {notes(play, hands.speed)}".strip()
-    taken = play.call_strip.taken if play.playback is None else 0
+    wrong = (controller.tuning.error if controller.tuning is not None else "") or state.messages.warning
+    message = wrong or f"{state.messages.text} {notes(state, hands.speed)}".strip()
+    taken = controller.call_strip.taken if state.playback is None else 0
     bars.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)

@@ -63,12 +63,15 @@ class Tuning:
         session = self.session
         seen = (session.layout, session.rollout, None if session.shot else aimed)
         if seen == self._seen:
+            if self._rolled_on is not session.table:
+                self.refresh()
             return
         self._seen = seen
         self.start: Layout = session.layout if session.rollout is None else session.rollout.start
         self.shot = session.shot or aimed
         self.error = ""
-        self.old = self.new = self._roll(self.session.table)
+        self._rolled_on: Table = self.session.table
+        self.old = self.new = self._roll(self._rolled_on)
         self.other = None if self.compared is None else self._roll(self.compared)
 
     # What the hands do.
@@ -150,7 +153,8 @@ class Tuning:
 
     def refresh(self) -> None:
         """Show what the shot does on the table as it is now."""
-        self.new = self._roll(self.session.table)
+        self._rolled_on = self.session.table
+        self.new = self._roll(self._rolled_on)
 
     def _roll(self, table: Table) -> Rollout | None:
         """The shot on a table; None, and the reason told, where the balls do not fit on it."""

@@ -46,8 +46,6 @@ class Replay(Scene):
         self.state = state = ReplayState(shots, store, sounds or Sounds())
         self.below = below
         self.stage = Stage(state.table)
-        self.stage.cue_counts = state.shot.match.rules.cue_counts
-        self.stage.tracker = state.tracker
         self.timeline = Timeline()
         self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {

@@ -6,12 +6,12 @@ from ...config.settings import Store
 from ...draw import cue_motion
 from ...draw.effects import Effects, effects_of
 from ...game.actions import Stroke
-from ...game.orientations import OrientationTracker
 from ...game.records.recorded_shots import RecordedShots
 from ...game.records.replaying import RecordedShot
 from ...sound.mixer import Sounds
 from ...table.table import Table
 from ..stage.playback import Playback
+from ..stage.shown_balls import BallHistory, ShownBalls
 
 # How long a shot's last moment is shown before the next begins, s.
 PAUSE = 2.0
@@ -21,18 +21,18 @@ class ReplayState:
     """The strokes of a record, of which `at` is shown, counted from 0, and `playback` is its moment.
 
     A stroke that runs to its end leads on to the next; one that a hand holds or brings to its end stays. `vectors` and
-    `geometry` say what is shown besides, `tracker` how the balls are turned; `sounds` makes the strokes heard, and
-    `store` says which motions are for show.
+    `geometry` say what is shown besides, `balls` how the balls are turned and which have fallen; `sounds` makes the
+    strokes heard, and `store` says which motions are for show.
     """
 
     def __init__(self, shots: RecordedShots, store: Store, sounds: Sounds) -> None:
         self.shots = shots
         self.store = store
         self.sounds = sounds
-        self.tracker = OrientationTracker()
+        self.balls = BallHistory()
         self.vectors = self.geometry = False
         self.at = 0
-        # How many strokes the tracker has followed, and for how long the last moment has been shown, s.
+        # How many strokes `balls` has followed, and for how long the last moment has been shown, s.
         self._followed = 0
         self._rested = 0.0
         self.playback = self._played()
@@ -46,6 +46,11 @@ class ReplayState:
     def table(self) -> Table:
         """The table that it is played on."""
         return self.shot.match.table
+
+    @property
+    def shown_balls(self) -> ShownBalls:
+        """The balls at the moment that is shown."""
+        return self.balls.during(self.playback.rollout, self.playback.time)
 
     @property
     def effects(self) -> Effects:
@@ -107,5 +112,5 @@ class ReplayState:
         played = self.shots.played
         for at in range(self._followed, len(played)):
             last = played[at - 1].moment if at else None
-            self.tracker.follow(played[at].before, played[at].rollout, last)
+            self.balls.follow(played[at].before, played[at].rollout, last)
         self._followed = len(played)

@@ -29,7 +29,7 @@ def draw(frame: Frame, state: ReplayState, stage: Stage, timeline: Timeline) -> 
     shown = state.playback
     surface, screen = frame.surface, stage.screen
     stage.begin(frame)
-    in_motion(frame, stage, shown, state.effects)
+    in_motion(frame, stage, state.shown_balls, shown, state.effects)
     if state.geometry:
         draw_geometry(ScreenPen(surface, stage.view), stage.table)
     if state.vectors:
@@ -79,7 +79,7 @@ def _upper_bar(surface: pygame.Surface, stage: Stage, state: ReplayState, pointe
     left = button("later", screen).right + 2 * unit
     title = text.fitted(ruling_text.title(take.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
-    stage.tray(surface)
+    stage.tray(surface, state.shown_balls.pocketed(take.match))
     # Until a shot has come to its end the score is the one that it was played at.
     moment = take.moment if state.playback.ended else take.before
     scoreboard.draw_beside(surface, screen, take.match, moment, take.moment.shooter)

@@ -6,16 +6,17 @@ from ...draw import cue_motion, trail
 from ...draw.effects import Effects
 from ..frame import Frame
 from .playback import Playback
+from .shown_balls import ShownBalls
 from .stage import Stage
 
 
-def in_motion(frame: Frame, stage: Stage, shown: Playback, effects: Effects) -> None:
+def in_motion(frame: Frame, stage: Stage, balls: ShownBalls, shown: Playback, effects: Effects) -> None:
     """Draw the balls of a shot at its moment, their trails, and the cue that struck."""
     surface = frame.surface
     surface.set_clip(stage.screen.table)
     if effects.trail:
         frame.add(trail.draw(surface, shown.rollout, shown.time, stage.table, stage.view))
-    stage.balls(frame, shown.rollout.at(shown.time), shown.rollout, shown.time, running=shown.running)
+    stage.balls(frame, balls, running=shown.running)
     surface.set_clip(None)
     if effects.stroke and shown.shot is not None:
         start = shown.rollout.start[shown.shot.ball]

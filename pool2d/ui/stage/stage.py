@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Hashable
+from collections.abc import Sequence
 
 import pygame
 
@@ -11,43 +10,33 @@ from ...draw import guide, pen, theme
 from ...draw.balls import ball_art, tray
 from ...draw.tabletop.background import Background
 from ...draw.view import View, fit
-from ...errors import BudgetError, InputError
 from ...game.falling import falling
-from ...game.orientations import OrientationTracker
 from ...physics.orientation import FACING, Quaternion
 from ...physics.rollout import Rollout
-from ...physics.simulate import simulate
-from ...physics.values import RESTING, Ball, Layout, Shot
+from ...physics.values import RESTING, Ball
 from ...table.furniture import Look
 from ...table.table import Table
 from ..frame import Frame
 from ..screen import Screen
 from . import bars
 from .camera import Camera
+from .shown_balls import ShownBalls
 
 # A ball in hand has light round it: discs so many times as wide, each of so much light, of 255.
 _GLOW, _LIGHT = (1.9, 1.65, 1.4, 1.2), 34
 
 
 class Stage:
-    """The surface being drawn on, the table, and where the one is on the other; `style` is how balls are drawn.
-
-    The table's cue ball is not among those that are `down` for good, unless in the game that is played it `cue_counts`.
-    """
+    """The surface being drawn on, the table, and where the one is on the other; `style` is how balls are drawn."""
 
     def __init__(self, table: Table) -> None:
         self.table = table
         self.style = theme.PLAIN
-        self.cue_counts = False
-        self.tracker = OrientationTracker()
         self.bars = bars.CachedBars()
-        self._pocketed: list[str] = []
         self.screen = Screen(1280, 720)
         self.camera = Camera()
         self._background = Background()
         self._fit(0)
-        self._foreseen_key: Hashable = None
-        self._foreseen: Rollout | None = None
 
     def lay_out(self, screen: Screen, table: Table, panel: int = 0) -> None:
         """Put a table between the bars of a window, less `panel` pixels on the right."""
@@ -71,22 +60,17 @@ class Stage:
         """Whether the camera rests and the table's picture is drawn in full."""
         return self.camera.settled and self._background.settled
 
-    def balls(
-        self, frame: Frame, layout: Layout, rollout: Rollout | None = None, t: float = math.inf,
-        but: str = "", running: bool = False,
-    ) -> None:  # fmt: skip
+    def balls(self, frame: Frame, shown: ShownBalls, but: str = "", running: bool = False) -> None:
         """Draw every ball on the table as it lies, `but` one, and those on their way into a pocket.
 
-        `rollout` is the shot that has led to the layout, if one has, `t` seconds after its start; without
-        a time it is over. While it is `running`, balls that move are drawn for one frame only, and roughly.
+        While a shot is `running`, balls that move are drawn for one frame only, and roughly.
         """
         # On its way the camera shows each frame another size of ball, for which no skin is worth making.
         rough = running and self.camera.settled
-        orientations, down = self.tracker.states(layout, rollout, t)
+        layout, orientations = shown.layout, shown.states.orientations
         balls = []
-        if rollout is not None:
-            falls = falling(rollout, self.tracker.rotation(rollout), self.table.geometry.pockets, t)
-            for fall in falls:
+        if shown.rollout is not None and shown.rotation is not None:
+            for fall in falling(shown.rollout, shown.rotation, self.table.geometry.pockets, shown.t):
                 ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
                 balls.append(tray.sinking(fall, self._placed(ball, fall.orientation)))
         balls += [
@@ -94,22 +78,16 @@ class Stage:
             for ball in layout.on_table()
             if ball.id != but
         ]
-        self._pocketed = [ball for ball in down if self.cue_counts or ball != self.table.furniture.cue]
         frame.add(ball_art.draw_all(frame.surface, balls, self.style))
-
-    @property
-    def pocketed(self) -> tuple[str, ...]:
-        """The balls that had fallen for good when the table was drawn last, in their order."""
-        return tuple(self._pocketed)
 
     def ball(self, surface: pygame.Surface, ball: Ball, faint: bool = False) -> None:
         look = self.table.furniture.looks.get(ball.id)
         centre = self.view.to_screen(ball.x, ball.y)
         ball_art.draw(surface, ball.id, centre, self._radius(ball), faint, look, style=self.style)
 
-    def tray(self, surface: pygame.Surface) -> None:
-        """Draw the balls that are down."""
-        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in self._pocketed], self.style)
+    def tray(self, surface: pygame.Surface, pocketed: Sequence[str]) -> None:
+        """Draw the balls that have fallen."""
+        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in pocketed], self.style)
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
         """Draw a ball held over the table, ringed by whether it has room there."""
@@ -124,14 +102,12 @@ class Stage:
         for part in _GLOW:
             pen.disc(surface, (*color[:3], _LIGHT), place, radius * part)
 
-    def guide(self, surface: pygame.Surface, level: int, layout: Layout, shot: Shot) -> None:
-        """Draw what a shot would do."""
-        # Off, it is not worked out either.
-        rollout = self.foresee(level, layout, shot) if level != guide.OFF else None
+    def guide(self, surface: pygame.Surface, level: int, rollout: Rollout | None, ball: str) -> None:
+        """Draw what a shot that strikes `ball` would do, as far as it can be foreseen."""
         if rollout is not None:
             if level == guide.WHOLE:
                 guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
-            guide.draw(surface, guide.foresee(rollout, shot.ball), level, self.table, self.view)
+            guide.draw(surface, guide.foresee(rollout, ball), level, self.table, self.view)
 
     def comparison(
         self, surface: pygame.Surface, before: Rollout | None, compared: Rollout | None, now: Rollout | None
@@ -144,18 +120,6 @@ class Stage:
         ):
             if rollout is not None:
                 guide.draw_whole(surface, rollout, self.table, self.view, cue, other, self.style)
-
-    def foresee(self, level: int, layout: Layout, shot: Shot) -> Rollout | None:
-        """The shot's rollout as far as the guide needs it; worked out anew only for another shot."""
-        events = None if level == guide.WHOLE else guide.EVENTS
-        key = (layout, self.table, shot, events)
-        if key != self._foreseen_key:
-            self._foreseen_key = key
-            try:
-                self._foreseen = simulate(self.table, layout, shot, events=events)
-            except (InputError, BudgetError):
-                self._foreseen = None
-        return self._foreseen
 
     def _fit(self, panel: int) -> None:
         size = self.table.knobs.table

@@ -36,7 +36,7 @@ def playing(hand: Hand, race: int = 2) -> Session:
     """Begin a match in the window."""
     setup = Setup("nine-ball", names=("Ann", "Bo"), race=race, breaker=0)
     hand.app.scene = hand.app.lobby.begin(recorded(load_table("pool-9ft"), setup))
-    return hand.play.session
+    return hand.play.state.session
 
 
 def labels(hand: Hand) -> list[str]:

@@ -32,7 +32,7 @@ def playing(hand: Hand, race: int, game: str = "nine-ball", table: str = "pool-9
     setup = Setup(game, names=("Ann", "Bo"), race=race, breaker=0, seed=5)
     hand.app.scene = hand.app.lobby.begin(recorded(load_table(table), setup))
     hand.app.step(0.0)
-    return hand.play.session
+    return hand.play.state.session
 
 
 def click(hand: Hand, label: str) -> None:
@@ -50,7 +50,7 @@ def shown(hand: Hand) -> object:
 
 def concede(hand: Hand, player: int) -> None:
     """Give a frame up, and come to what follows."""
-    hand.play.session.concede(player)
+    hand.play.state.session.concede(player)
     hand.app.scene = hand.app.lobby.ended()
     hand.app.step(0.0)
 
@@ -94,11 +94,11 @@ def test_again_is_the_same_with_another_rack(hand: Hand) -> None:
     before = playing(hand, race=1).match
     concede(hand, 0)
     click(hand, "Again")
-    match = hand.play.session.match
+    match = hand.play.state.session.match
     assert hand.app.scene is hand.play and match is not before and not match.over
     assert (match.setup.game, match.names, match.setup.race) == ("nine-ball", ("Ann", "Bo"), 1)
     assert match.setup.seed != before.setup.seed
-    recorder = hand.play.session.recorder
+    recorder = hand.play.state.session.recorder
     assert recorder is not None and load(recorder.path).setup.seed == match.setup.seed
 
 
@@ -115,7 +115,7 @@ def lay(session: Session, *balls: Ball) -> None:
 def test_the_shot_that_wins_is_seen_to_its_end_first(hand: Hand) -> None:
     session = playing(hand, race=1)
     lay(session, Ball("cue", 2.2, 0.3), Ball("9", 2.4, 0.1))
-    hand.play.hands.aim = replace(hand.play.hands.aim, angle=-45.0)
+    hand.play.state.hands.aim = replace(hand.play.state.hands.aim, angle=-45.0)
     hand.key(pygame.K_SPACE)
     assert hand.app.scene is hand.play and session.match.over
     hand.wait_for_rest()

@@ -88,7 +88,7 @@ def test_who_says_what_to_play_on_plays_at_once(monkeypatch: pytest.MonkeyPatch,
 
 
 def test_a_table_tuned_in_practice_is_played_on_only_when_it_is_chosen(guest: Hand) -> None:
-    guest.play.change_table(load_table("pool-9ft", {"cloth.mu_slide": 0.3}))
+    guest.play.state.change_table(load_table("pool-9ft", {"cloth.mu_slide": 0.3}))
     for choice, tuned in (("pool-9ft", False), (TUNED, True)):
         guest.app.scene = guest.app.lobby.menu()
         choose(guest, "New match")
@@ -98,11 +98,11 @@ def test_a_table_tuned_in_practice_is_played_on_only_when_it_is_chosen(guest: Ha
         scene._take_table(choice)
         scene.start()
         guest.app.step(0.0)
-        assert (guest.play.session.table.set != {}) == tuned
-        assert not guest.play.session.is_practice
+        assert (guest.play.state.session.table.set != {}) == tuned
+        assert not guest.play.state.session.is_practice
         guest.app.lobby.leave()
         # Practice goes on where it was.
-        assert guest.play.session.table.set == {"cloth.mu_slide": 0.3}
+        assert guest.play.state.session.table.set == {"cloth.mu_slide": 0.3}
 
 
 def test_pages_open_over_the_menu_by_their_keys(guest: Hand) -> None:
@@ -130,4 +130,4 @@ def test_a_table_is_chosen_for_practice(guest: Hand) -> None:
     shelf.form.focus = next(line for line in shelf.form.widgets if getattr(line, "label", "") == "Snooker, 12 ft")
     guest.key(pygame.K_RETURN)
     assert shown(guest) is Play
-    assert guest.play.session.is_practice and guest.play.session.table.source == "snooker-12ft"
+    assert guest.play.state.session.is_practice and guest.play.state.session.table.source == "snooker-12ft"

@@ -76,32 +76,32 @@ def test_it_begins_as_agreed(guest: Hand) -> None:
     click(guest, push.rect.center)
     click(guest, widget(guest, "Start").rect.center)
     assert guest.app.scene is guest.play
-    match = guest.play.session.match
+    match = guest.play.state.session.match
     assert match.setup.game == "nine-ball"
     assert match.setup.options == {"nine_on_break": "spotted", "push_out": "no"}
     assert (match.setup.race, match.setup.breaker, match.setup.breaks) == (3, 1, "winner")
     assert match.names == ("Player 1", "Player 2")
-    assert guest.play.session.recorder is not None
+    assert guest.play.state.session.recorder is not None
 
 
 def test_a_lag_decides_who_breaks_and_is_on_the_record(guest: Hand) -> None:
     turn(guest, "Breaks first")
     click(guest, widget(guest, "Start").rect.center)
-    session = guest.play.session
+    session = guest.play.state.session
     first = session.ask.player
-    assert f"Player {first + 1} lags" in guest.play.message_text
+    assert f"Player {first + 1} lags" in guest.play.state.messages.text
     for speed in (1.4, 1.6):
         # To the foot cushion, which is on the right.
         guest.point(2.0, session.cue.y)
-        guest.play.hands.aim = guest.play.hands.aim.with_speed(speed)
+        guest.play.state.hands.aim = guest.play.state.hands.aim.with_speed(speed)
         guest.strike()
-    assert f"Player {first + 1} wins the lag" in guest.play.message_text
+    assert f"Player {first + 1} wins the lag" in guest.play.state.messages.text
     assert session.ask.options == ("break", "give-break")
     guest.key(pygame.K_2)
     assert session.ask.player == 1 - first and session.cue.id == "cue"
     # The shots of the lag are none of the frame's.
     guest.key(pygame.K_r)
-    assert guest.play.playback is None
+    assert guest.play.state.playback is None
     recorder = session.recorder
     assert recorder is not None
     session.leave()
@@ -128,7 +128,7 @@ def test_by_keys_alone(guest: Hand) -> None:
         guest.key(pygame.K_TAB)
     guest.key(pygame.K_TAB)
     guest.key(pygame.K_RETURN)
-    assert guest.app.scene is guest.play and not guest.play.session.is_practice
+    assert guest.app.scene is guest.play and not guest.play.state.session.is_practice
 
 
 def test_names_are_typed_and_kept(guest: Hand) -> None:
@@ -139,7 +139,7 @@ def test_names_are_typed_and_kept(guest: Hand) -> None:
     guest.key(pygame.K_o)
     assert dialog(guest).names == ("Zoë", "Player 2")
     click(guest, widget(guest, "Start").rect.center)
-    assert guest.play.session.match.names == ("Zoë", "Player 2")
+    assert guest.play.state.session.match.names == ("Zoë", "Player 2")
     assert guest.app.store.values.players.names == ("Zoë", "")
     guest.app._save()
     path = guest.app.store.path
@@ -167,7 +167,7 @@ def test_a_game_that_the_table_is_none_for_does_not_start_and_it_is_told(guest: 
     assert isinstance(start, Button) and start.barred()
     assert dialog(guest).barred.startswith("An L has not the balls and the rack for Snooker.")
     click(guest, start.rect.center)
-    assert isinstance(guest.app.scene, NewMatch) and guest.play.session.is_practice
+    assert isinstance(guest.app.scene, NewMatch) and guest.play.state.session.is_practice
     dialog(guest).form.focus = start
     guest.key(pygame.K_RETURN)
     assert isinstance(guest.app.scene, NewMatch)
@@ -206,7 +206,7 @@ def test_it_opens_as_last_set(guest: Hand) -> None:
     turn(guest, "Breaks first", 3)
     chosen = dialog(guest)
     click(guest, widget(guest, "Start").rect.center)
-    agreed = guest.play.session.match.setup
+    agreed = guest.play.state.session.match.setup
     guest.app._save()
     again = NewMatch(guest.play, Store(guest.app.store.path), load_table("carom-10ft"), lambda session: guest.play)
     for name in ("game", "table", "race", "breaks", "breaker", "options"):
@@ -251,7 +251,7 @@ def test_a_damaged_table_is_told_and_another_can_be_chosen(guest: Hand, tmp_path
         turn(guest, "Table")
     assert "zz" in dialog(guest).barred
     click(guest, widget(guest, "Start").rect.center)
-    assert guest.play.session.is_practice
+    assert guest.play.state.session.is_practice
     turn(guest, "Table")
     assert dialog(guest).barred == ""
 
@@ -260,7 +260,7 @@ def test_a_match_that_cannot_be_recorded_is_told(guest: Hand, tmp_path: Path) ->
     (tmp_path / "matches").write_text("in the way")
     click(guest, widget(guest, "Start").rect.center)
     assert "cannot be written" in dialog(guest).wrong
-    assert guest.play.session.is_practice
+    assert guest.play.state.session.is_practice
 
 
 def test_options_are_those_of_the_game(guest: Hand) -> None:
@@ -273,7 +273,7 @@ def test_options_are_those_of_the_game(guest: Hand) -> None:
     assert "Push out" not in told()
     turn(guest, "Target")
     click(guest, widget(guest, "Start").rect.center)
-    assert guest.play.session.match.setup.options == {"target": 125.0}
+    assert guest.play.state.session.match.setup.options == {"target": 125.0}
 
 
 def test_a_number_that_stands_for_none_is_told_in_words(guest: Hand) -> None:

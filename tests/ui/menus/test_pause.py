@@ -30,24 +30,24 @@ def test_esc_first_puts_away_what_is_under_way(hand: Hand) -> None:
     hand.press()
     hand.pull(60)
     hand.key(pygame.K_ESCAPE)
-    assert hand.app.scene is hand.play and hand.play.hands.pull is None
+    assert hand.app.scene is hand.play and hand.play.state.hands.pull is None
     hand.release()
     hand.key(pygame.K_t)
     hand.key(pygame.K_ESCAPE)
-    assert hand.app.scene is hand.play and hand.play.tuning is None
+    assert hand.app.scene is hand.play and hand.play.controller.tuning is None
     hand.key(pygame.K_SPACE)
-    assert hand.play.playback is not None
+    assert hand.play.state.playback is not None
     hand.key(pygame.K_ESCAPE)
     assert hand.app.scene is hand.play
 
 
 def test_practice_is_left_for_the_menu_and_waits_there(hand: Hand) -> None:
-    session = hand.play.session
+    session = hand.play.state.session
     hand.key(pygame.K_ESCAPE)
     choose(hand, "Leave to the menu")
     assert "Practice" in labels(hand)
     choose(hand, "Practice")
-    assert hand.app.scene is hand.play and hand.play.session is session
+    assert hand.app.scene is hand.play and hand.play.state.session is session
 
 
 def test_a_match_is_left_for_the_menu_and_can_be_gone_on_with(hand: Hand) -> None:
@@ -55,9 +55,9 @@ def test_a_match_is_left_for_the_menu_and_can_be_gone_on_with(hand: Hand) -> Non
     hand.key(pygame.K_ESCAPE)
     choose(hand, "Leave to the menu")
     assert labels(hand)[0] == "Continue"
-    assert hand.play.session.is_practice
+    assert hand.play.state.session.is_practice
     choose(hand, "Continue")
-    assert not hand.play.session.is_practice and hand.play.session.strokes == 1
+    assert not hand.play.state.session.is_practice and hand.play.state.session.strokes == 1
 
 
 def test_to_concede_is_asked_first(hand: Hand) -> None:
@@ -85,4 +85,4 @@ def test_a_frame_that_gets_nowhere_is_begun_again_by_agreement(hand: Hand) -> No
     assert shown(hand) is Play
     assert isinstance(session.match.now.action, Stalemate)
     assert session.strokes == 0 and set(session.layout) == set(start)
-    assert "Ann breaks" in hand.play.message_text
+    assert "Ann breaks" in hand.play.state.messages.text

@@ -23,7 +23,7 @@ from pool2d.ui.dialogs.dialog import Confirm
 from pool2d.ui.menus.ended import FrameOver
 from pool2d.ui.menus.menu import Menu
 from pool2d.ui.menus.new_match import NewMatch
-from pool2d.ui.play.drill_scene import DrillPlay
+from pool2d.ui.play.modes.drill_mode import DrillMode
 from pool2d.ui.play.play import Play
 from pool2d.ui.replay import replay_view
 from pool2d.ui.replay.record_list import RecordList
@@ -44,9 +44,9 @@ def test_a_match_that_was_left_is_gone_on_with() -> None:
     assert told[0] == "Ann 0 : 0 Bo" and told[1].startswith("Nine-ball")
     choose(guest, "Continue")
     assert shown(guest) is Play
-    assert guest.play.session.match.names == ("Ann", "Bo")
-    assert guest.play.session.strokes == 1
-    guest.play.session.concede(0)
+    assert guest.play.state.session.match.names == ("Ann", "Bo")
+    assert guest.play.state.session.strokes == 1
+    guest.play.state.session.concede(0)
     app.close()
     assert load(path).frames == (0, 1)
 
@@ -64,7 +64,7 @@ def test_the_menu_tells_the_frames_that_were_won(guest: Hand) -> None:
     assert shown(guest) is FrameOver
     guest.app.step(0.5)
     guest.key(pygame.K_RETURN)
-    assert isinstance(guest.play.session.match.now.action, NextFrame)
+    assert isinstance(guest.play.state.session.match.now.action, NextFrame)
 
 
 def test_a_match_that_no_longer_plays_as_recorded_is_told_and_left_alone(
@@ -96,7 +96,7 @@ def test_of_several_matches_that_were_left_any_is_gone_on_with() -> None:
     guest.key(pygame.K_DOWN)
     guest.key(pygame.K_RETURN)
     assert shown(guest) is Play
-    assert guest.play.session.match.setup.race == 3
+    assert guest.play.state.session.match.setup.race == 3
     app.close()
 
 
@@ -133,7 +133,7 @@ def test_an_unfinished_match_is_thrown_away_when_asked_twice() -> None:
     guest.key(pygame.K_ESCAPE)
     assert labels(guest)[:2] == ["Continue", "New match"]
     guest.key(pygame.K_RETURN)
-    assert guest.play.session.match.setup.race == 3
+    assert guest.play.state.session.match.setup.race == 3
     app.close()
 
 
@@ -145,8 +145,8 @@ def test_a_match_on_a_preset_that_has_changed_or_gone_is_continued_as_it_was_and
     app = App(load_table("mine"), seed=3)
     hand = Hand(app)
     app.scene = app.lobby.begin(recorded(load_table("mine"), Setup("nine-ball", names=("Ann", "Bo"), breaker=0)))
-    hand.play.session.play(Shot(0.4, 8.0))
-    table, layout = hand.play.session.table, hand.play.session.layout
+    hand.play.state.session.play(Shot(0.4, 8.0))
+    table, layout = hand.play.state.session.table, hand.play.state.session.layout
     hand.post(pygame.QUIT)
     app.close()
     preset.unlink() if lost else preset.write_text('base = "pool-7ft"\n')
@@ -156,7 +156,7 @@ def test_a_match_on_a_preset_that_has_changed_or_gone_is_continued_as_it_was_and
     choose(guest, "Continue")
     assert [note.wrong for note in app.toasts.notes] == [False]
     assert ("not there any more" if lost else "has changed since") in app.toasts.notes[0].words
-    session = guest.play.session
+    session = guest.play.state.session
     assert (session.table.knobs, session.table.title) == (table.knobs, "Mine")
     assert session.layout == layout
     guest.strike()
@@ -187,12 +187,12 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     guest.app.scene = guest.app.lobby.menu()
     guest.app.step(0.0)
     choose(guest, "Continue")
-    assert guest.play.session.layout == layout
+    assert guest.play.state.session.layout == layout
     notes = guest.app.toasts.notes
     assert [note.wrong for note in notes] == [False] and "the engine has changed since" in notes[0].words
     # What is seen again are the balls before the shot and after it.
     guest.key(pygame.K_r)
-    shown_again = guest.play.playback
+    shown_again = guest.play.state.playback
     assert shown_again is not None and shown_again.rollout.layout() == layout
     guest.app.step(0.5)
     replay = Replay(RecordedShots(load(unfinished()[0])), guest.play)
@@ -204,7 +204,7 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     guest.app.scene = replay
     while not replay.still:
         guest.app.step(0.1)
-    assert replay.stage.tracker is not None and replay.state.playback.ended
+    assert replay.state.playback.ended
 
 
 def told_at_start() -> list[str]:
@@ -228,7 +228,7 @@ def test_closing_the_window_lets_go_of_the_record() -> None:
     again = App(load_table("pool-9ft"), seed=3, menu=True)
     guest = Hand(again)
     choose(guest, "Continue")
-    assert guest.play.session.strokes == 1
+    assert guest.play.state.session.strokes == 1
     again.close()
 
 
@@ -241,7 +241,7 @@ def test_closing_the_window_in_a_drill_lets_go_of_the_record_of_the_match_below(
         session.play(Shot(speed=8.0))
     hand.key(pygame.K_F2)
     hand.key(pygame.K_RETURN)
-    assert isinstance(app.scene, DrillPlay)
+    assert app.scene is app.play and isinstance(app.play.state.mode, DrillMode)
     hand.post(pygame.QUIT)
     app.close()
     assert len(records()) == begun
@@ -300,15 +300,15 @@ def test_a_frame_is_begun_again_once_both_have_said_so(hand: Hand) -> None:
     assert hand.app.scene is hand.play
     assert isinstance(session.match.now.action, Stalemate)
     assert len(session.layout.on_table()) == len(racked.on_table())
-    assert "Ann" in hand.play.message_text
+    assert "Ann" in hand.play.state.messages.text
 
 
 def test_another_table_lets_go_of_the_record(hand: Hand) -> None:
     playing(hand).play(Shot(speed=8.0))
-    hand.play.open_table("pool-7ft")
-    assert hand.play.session.is_practice
+    hand.play.state.open_table("pool-7ft")
+    assert hand.play.state.session.is_practice
     assert len(unfinished()) == 1
     hand.app.scene = hand.app.lobby.menu()
     hand.app.step(0.0)
     choose(hand, "Continue")
-    assert hand.play.session.table.source == "pool-9ft"
+    assert hand.play.state.session.table.source == "pool-9ft"

@@ -51,9 +51,9 @@ ARMING: dict[str, Callable[[Hand], None]] = {
 def test_the_next_stroke_is_armed_by(hand: Hand, what: str) -> None:
     at_rest(hand)
     ARMING[what](hand)
-    assert hand.play.session.strokes == 1
+    assert hand.play.state.session.strokes == 1
     hand.key(pygame.K_SPACE)
-    assert hand.play.session.strokes == 2
+    assert hand.play.state.session.strokes == 2
 
 
 @pytest.mark.parametrize("what", [key for key in ARMING if key != "a first press"])
@@ -73,17 +73,17 @@ def test_a_key_held_since_the_shot_neither_arms_nor_strikes(hand: Hand) -> None:
     hand.post(pygame.KEYDOWN, key=pygame.K_SPACE, mod=0, unicode=" ")
     for _ in range(60):
         hand.post(pygame.KEYDOWN, key=pygame.K_SPACE, mod=0, unicode=" ")
-    assert session.strokes == 1 and not hand.play.hands.armed
+    assert session.strokes == 1 and not hand.play.state.hands.armed
 
 
 def test_to_place_the_ball_is_not_to_strike(hand: Hand) -> None:
     hand.set_balls(CUE, ONE, in_hand=True)
     hand.key(pygame.K_SPACE)
-    assert not hand.play.session.in_hand
+    assert not hand.play.state.session.in_hand
     hand.key(pygame.K_SPACE)
-    assert hand.play.session.strokes == 0
+    assert hand.play.state.session.strokes == 0
     hand.key(pygame.K_SPACE)
-    assert hand.play.session.strokes == 1
+    assert hand.play.state.session.strokes == 1
 
 
 def test_the_key_that_resumes_does_not_strike(hand: Hand) -> None:
@@ -91,4 +91,4 @@ def test_the_key_that_resumes_does_not_strike(hand: Hand) -> None:
     hand.key(pygame.K_RETURN)
     assert hand.app.scene is hand.play
     hand.key(pygame.K_RETURN)
-    assert hand.play.session.strokes == 0
+    assert hand.play.state.session.strokes == 0

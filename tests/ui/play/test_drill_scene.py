@@ -11,7 +11,7 @@ import pytest
 from pool2d.game.aim import Aim
 from pool2d.game.drills.drill_file import best, keep, load
 from pool2d.ui.menus.drill_list import DrillList
-from pool2d.ui.play.drill_scene import DrillPlay
+from pool2d.ui.play.modes.drill_mode import DrillMode
 from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.wording import words
 
@@ -25,7 +25,7 @@ def own_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Non
     words.speak("en")
 
 
-def begin(hand: Hand, name: str) -> DrillPlay:
+def begin(hand: Hand, name: str) -> DrillMode:
     """Open the shelf and choose a drill there, by clicking on it."""
     hand.key(pygame.K_F2)
     shelf = hand.app.scene
@@ -33,21 +33,26 @@ def begin(hand: Hand, name: str) -> DrillPlay:
     entry = next(one for one in shelf.form.widgets if isinstance(one, ListRow) and one.label == load(name).name)
     shelf.form.focus = entry
     hand.key(pygame.K_RETURN)
-    play = hand.app.scene
-    assert isinstance(play, DrillPlay)
-    hand.play = play
-    return play
+    assert hand.app.scene is hand.play
+    return playing(hand)
 
 
-def solve(hand: Hand, play: DrillPlay) -> None:
+def playing(hand: Hand) -> DrillMode:
+    """The drill that is on the table."""
+    mode = hand.play.state.mode
+    assert isinstance(mode, DrillMode)
+    return mode
+
+
+def solve(hand: Hand, drill: DrillMode) -> None:
     """Play the strokes of the solution that are left."""
-    for shot in play.drilling.drill.solution[play.drilling.run.standing.done :]:
-        play.hands.aim = Aim.of(shot)
+    for shot in drill.session.drill.solution[drill.session.run.standing.done :]:
+        hand.play.state.hands.aim = Aim.of(shot)
         hand.strike()
 
 
-def miss(hand: Hand, play: DrillPlay) -> None:
-    play.hands.aim = Aim(angle=180.0, speed=0.3)
+def miss(hand: Hand, drill: DrillMode) -> None:
+    hand.play.state.hands.aim = Aim(angle=180.0, speed=0.3)
     hand.strike()
 
 
@@ -65,26 +70,25 @@ def test_the_shelf_lists_every_drill_with_its_goal_and_the_best(hand: Hand) -> N
 
 
 def test_a_drill_done_counts_and_is_kept_at_once(hand: Hand) -> None:
-    before = hand.play.session.layout
-    table = hand.play
-    play = begin(hand, "stop-shot")
-    assert play.session.layout == play.drilling.drill.layout
-    assert "Pot the 1" in play.message_text
-    solve(hand, play)
-    assert play.drilling.run.results == (1,)
-    assert "Done" in play.message_text
+    before = hand.play.state.session.layout
+    drill = begin(hand, "stop-shot")
+    assert hand.play.state.session.layout == drill.session.drill.layout
+    assert "Pot the 1" in hand.play.state.messages.text
+    solve(hand, drill)
+    assert drill.session.run.results == (1,)
+    assert "Done" in hand.play.state.messages.text
     assert best("stop-shot") == 1
     hand.key(pygame.K_ESCAPE)
-    assert hand.app.scene is table
-    assert table.session.layout == before
+    assert hand.app.scene is hand.play
+    assert hand.play.state.session.layout == before
 
 
 @pytest.mark.parametrize("way", ["key", "click", "same shot"])
 def test_a_miss_is_told_and_the_balls_are_set_up_again(hand: Hand, way: str) -> None:
-    play = begin(hand, "stop-shot")
-    miss(hand, play)
-    assert "not" in play.message_text
-    assert play.drilling.run.results == (0,)
+    drill = begin(hand, "stop-shot")
+    miss(hand, drill)
+    assert "not" in hand.play.state.messages.text
+    assert drill.session.run.results == (0,)
     assert best("stop-shot") is None
     if way == "key":
         hand.key(pygame.K_SPACE)
@@ -94,104 +98,105 @@ def test_a_miss_is_told_and_the_balls_are_set_up_again(hand: Hand, way: str) -> 
         hand.point(1.0, 0.3)
         hand.press()
         hand.release()
-    assert play.session.layout == play.drilling.drill.layout
-    assert play.drilling.run.results == (0,)
-    assert play.rollout is None, "setting up is no stroke"
+    assert hand.play.state.session.layout == drill.session.drill.layout
+    assert drill.session.run.results == (0,)
+    assert hand.play.state.rollout is None, "setting up is no stroke"
 
 
 def test_a_whole_run_is_added_up_and_the_next_begins(hand: Hand) -> None:
-    play = begin(hand, "lag")
+    drill = begin(hand, "lag")
     for number in range(10):
         if number:
             hand.key(pygame.K_SPACE)
         if number % 2:
-            miss(hand, play)
+            miss(hand, drill)
         else:
-            solve(hand, play)
-    assert play.drilling.run.over
-    assert "5 of 10" in play.message_text and "best" in play.message_text
+            solve(hand, drill)
+    assert drill.session.run.over
+    assert "5 of 10" in hand.play.state.messages.text and "best" in hand.play.state.messages.text
     assert best("lag") == 5
     hand.key(pygame.K_SPACE)
-    assert play.drilling.run.results == ()
-    assert "best 5 of 10" in play.titles[1]
+    assert drill.session.run.results == ()
+    assert "best 5 of 10" in hand.play.state.titles[1]
 
 
 def test_a_drill_of_several_steps_goes_on_after_a_good_stroke(hand: Hand) -> None:
-    play = begin(hand, "three-in-order")
-    play.hands.aim = Aim.of(play.drilling.drill.solution[0])
+    drill = begin(hand, "three-in-order")
+    hand.play.state.hands.aim = Aim.of(drill.session.drill.solution[0])
     hand.strike()
-    assert "1 of 3" in play.message_text
-    solve(hand, play)
-    assert play.drilling.run.results == (3,)
-    assert "goal" in play.message_text
+    assert "1 of 3" in hand.play.state.messages.text
+    solve(hand, drill)
+    assert drill.session.run.results == (3,)
+    assert "goal" in hand.play.state.messages.text
 
 
 def test_the_solution_is_shown_and_changes_nothing(hand: Hand) -> None:
-    play = begin(hand, "three-in-order")
-    layout, aim = play.session.layout, play.hands.aim
+    drill = begin(hand, "three-in-order")
+    layout, aim = hand.play.state.session.layout, hand.play.state.hands.aim
     hand.key(pygame.K_F4)
-    assert play.rollout is not None
-    assert play.hands.aim == Aim.of(play.drilling.drill.solution[0])
+    assert hand.play.state.rollout is not None
+    assert hand.play.state.hands.aim == Aim.of(drill.session.drill.solution[0])
     for number in (1, 2, 3):
-        assert f"stroke {number} of 3" in play.message_text
+        assert f"stroke {number} of 3" in hand.play.state.messages.text
         hand.key(pygame.K_SPACE)
         hand.app.step(FRAME)
-    assert play.rollout is None
-    assert play.session.layout == layout and play.hands.aim == aim
-    assert play.drilling.run.results == () and play.session.strokes == 0
+    assert hand.play.state.rollout is None
+    assert hand.play.state.session.layout == layout and hand.play.state.hands.aim == aim
+    assert drill.session.run.results == () and hand.play.state.session.strokes == 0
 
 
 def test_escape_ends_the_solution_and_then_the_drill(hand: Hand) -> None:
-    table = hand.play
-    play = begin(hand, "three-in-order")
-    aim = play.hands.aim
+    state = hand.play.state
+    begin(hand, "three-in-order")
+    aim = hand.play.state.hands.aim
     hand.key(pygame.K_F4)
     hand.key(pygame.K_ESCAPE)
-    assert hand.app.scene is play and play.rollout is None and play.hands.aim == aim
+    assert hand.app.scene is hand.play and hand.play.state is not state
+    assert hand.play.state.rollout is None and hand.play.state.hands.aim == aim
     hand.key(pygame.K_ESCAPE)
-    assert hand.app.scene is table
+    assert hand.app.scene is hand.play and hand.play.state is state
 
 
 def test_the_next_drill_and_the_shelf_go_back_to_the_same_table(hand: Hand) -> None:
-    table = hand.play
-    play = begin(hand, "stop-shot")
+    state = hand.play.state
+    drill = begin(hand, "stop-shot")
     hand.key(pygame.K_F3)
-    following = hand.app.scene
-    assert isinstance(following, DrillPlay)
-    assert following.drilling.drill.id == "stun-far"
+    following = playing(hand)
+    assert following.session.drill.id == "stun-far"
     hand.key(pygame.K_F2)
+    assert hand.app.scene is not hand.play
     hand.key(pygame.K_ESCAPE)
-    assert hand.app.scene is following
+    assert hand.app.scene is hand.play and playing(hand) is following
     hand.key(pygame.K_ESCAPE)
-    assert hand.app.scene is table
-    assert play.drilling.run.results == ()
+    assert hand.app.scene is hand.play and hand.play.state is state
+    assert drill.session.run.results == ()
 
 
 def test_in_a_drill_the_balls_are_not_moved_and_strokes_count(hand: Hand) -> None:
-    play = begin(hand, "stop-shot")
-    layout = play.session.layout
-    cue = play.session.cue
+    drill = begin(hand, "stop-shot")
+    layout = hand.play.state.session.layout
+    cue = hand.play.state.session.cue
     hand.point(cue.x, cue.y)
     hand.press(3)
     hand.point(0.4, 0.4)
     hand.release(3)
     for key in (pygame.K_x, pygame.K_c, pygame.K_F6, pygame.K_t, pygame.K_u):
         hand.key(key)
-        assert play.session.layout == layout
-        assert play.message_text
-    assert play.tuning is None
-    miss(hand, play)
+        assert hand.play.state.session.layout == layout
+        assert hand.play.state.messages.text
+    assert hand.play.controller.tuning is None
+    miss(hand, drill)
     hand.key(pygame.K_u)
-    assert play.drilling.run.results == (0,)
+    assert drill.session.run.results == (0,)
 
 
 def test_a_result_that_cannot_be_kept_is_told(hand: Hand, tmp_path: Path) -> None:
-    play = begin(hand, "stop-shot")
+    drill = begin(hand, "stop-shot")
     (tmp_path / "drills").mkdir()
     (tmp_path / "drills" / "best.json").write_text("no json")
-    solve(hand, play)
-    assert "best.json" in play.warning
-    assert play.drilling.run.results == (1,)
+    solve(hand, drill)
+    assert "best.json" in hand.play.state.messages.warning
+    assert drill.session.run.results == (1,)
 
 
 def test_a_damaged_drill_of_ones_own_is_told_on_the_shelf(hand: Hand, tmp_path: Path) -> None:
@@ -204,62 +209,62 @@ def test_a_damaged_drill_of_ones_own_is_told_on_the_shelf(hand: Hand, tmp_path: 
 
 
 def test_settings_reach_the_table_of_the_drill(hand: Hand) -> None:
-    play = begin(hand, "stop-shot")
+    begin(hand, "stop-shot")
     hand.app.store.turn("balls.trails", False)
-    assert not play.effects.trail
+    assert not hand.play.state.show.effects.trail
     hand.app.store.turn("screen.language", "de")
-    assert play.titles[0] == "Stoppball"
-    assert "Versuch 1 von 10" in play.titles[1]
+    assert hand.play.state.titles[0] == "Stoppball"
+    assert "Versuch 1 von 10" in hand.play.state.titles[1]
 
 
 def test_what_is_asked_for_is_marked_on_the_cloth(hand: Hand) -> None:
-    play = begin(hand, "position-centre")
-    marked = hand.app.window.surface.get_at(tuple(map(round, play.stage.view.to_screen(1.2, 0.75))))
-    play.drilling.run = type(play.drilling.run)(load("stop-shot"), play.drilling.run.standing)
+    drill = begin(hand, "position-centre")
+    marked = hand.app.window.surface.get_at(tuple(map(round, hand.play.stage.view.to_screen(1.2, 0.75))))
+    drill.session.run = type(drill.session.run)(load("stop-shot"), drill.session.run.standing)
     hand.app.redraw()
     hand.app.step(FRAME)
-    bare = hand.app.window.surface.get_at(tuple(map(round, play.stage.view.to_screen(1.2, 0.75))))
+    bare = hand.app.window.surface.get_at(tuple(map(round, hand.play.stage.view.to_screen(1.2, 0.75))))
     assert sum(marked[:3]) > sum(bare[:3]) + 20
 
 
 def test_a_stroke_is_seen_again_though_the_balls_were_set_up_for_the_next_step(hand: Hand) -> None:
-    play = begin(hand, "cut-ladder-left")
-    play.hands.aim = Aim.of(play.drilling.drill.solution[0])
+    drill = begin(hand, "cut-ladder-left")
+    hand.play.state.hands.aim = Aim.of(drill.session.drill.solution[0])
     hand.strike()
-    assert play.drilling.run.standing.done == 1 and not play.drilling.run.standing.over
+    assert drill.session.run.standing.done == 1 and not drill.session.run.standing.over
     hand.key(pygame.K_r)
-    assert play.playback is not None
+    assert hand.play.state.playback is not None
     hand.key(pygame.K_ESCAPE)
     hand.key(pygame.K_F5)
     hand.key(pygame.K_r)
-    assert play.playback is None
+    assert hand.play.state.playback is None
 
 
 def test_the_goal_is_told_again_once_anything_else_has_been_read(hand: Hand) -> None:
-    play = begin(hand, "stop-shot")
-    goal = play.message_text
+    begin(hand, "stop-shot")
+    goal = hand.play.state.messages.text
     assert goal
     hand.key(pygame.K_u)
-    assert play.message_text != goal
+    assert hand.play.state.messages.text != goal
     for _ in range(20):
         hand.app.step(0.5)
-    assert play.message_text == goal
+    assert hand.play.state.messages.text == goal
 
 
 def test_a_stroke_counts_once_its_balls_have_been_seen_to_rest(hand: Hand) -> None:
-    play = begin(hand, "stop-shot")
-    before = play.titles
-    play.hands.aim = Aim.of(play.drilling.drill.solution[0])
+    drill = begin(hand, "stop-shot")
+    before = hand.play.state.titles
+    hand.play.state.hands.aim = Aim.of(drill.session.drill.solution[0])
     # The key that opened the drill does not strike; the first press arms the stroke.
     hand.key(pygame.K_SPACE)
     hand.key(pygame.K_SPACE)
-    assert play.playback is not None and play.titles == before
+    assert hand.play.state.playback is not None and hand.play.state.titles == before
     hand.app.step(0.3)
     hand.key(pygame.K_p)
-    assert play.playback is not None and play.titles == before
+    assert hand.play.state.playback is not None and hand.play.state.titles == before
     hand.key(pygame.K_RETURN)
     hand.app.step(0.5)
-    after = play.titles
-    assert play.playback is None and after != before
+    after = hand.play.state.titles
+    assert hand.play.state.playback is None and after != before
     hand.key(pygame.K_r)
-    assert play.playback is not None and play.titles == after
+    assert hand.play.state.playback is not None and hand.play.state.titles == after

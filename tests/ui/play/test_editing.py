@@ -25,28 +25,28 @@ def drag(hand: Hand, start: tuple[float, float], end: tuple[float, float], butto
 
 
 def place(hand: Hand, ball: str) -> tuple[float, float]:
-    at = hand.play.session.layout[ball]
+    at = hand.play.state.session.layout[ball]
     return at.x, at.y
 
 
 @pytest.mark.parametrize(("ball", "button"), [("cue", 1), ("cue", 3), ("1", 3)])
 def test_a_ball_is_dragged_and_that_can_be_taken_back(two: Hand, ball: str, button: int) -> None:
-    held = two.play.session.layout[ball]
+    held = two.play.state.session.layout[ball]
     drag(two, (held.x, held.y), (1.0, 1.0), button)
     assert place(two, ball) == pytest.approx((1.0, 1.0), abs=0.003)
-    assert two.play.session.strokes == 0
+    assert two.play.state.session.strokes == 0
     two.key(pygame.K_u)
-    assert two.play.session.layout[ball] == held
+    assert two.play.state.session.layout[ball] == held
 
 
 def test_the_aim_does_not_move_while_a_ball_is_dragged(two: Hand) -> None:
     two.point(ONE.x, ONE.y)
-    aim = two.play.hands.aim
+    aim = two.play.state.hands.aim
     two.press(3)
     two.point(1.0, 1.0)
     two.point(2.0, 0.2)
     two.release(3)
-    assert two.play.hands.aim == aim
+    assert two.play.state.hands.aim == aim
 
 
 def test_with_the_left_button_on_an_object_ball_one_strikes(two: Hand) -> None:
@@ -54,25 +54,25 @@ def test_with_the_left_button_on_an_object_ball_one_strikes(two: Hand) -> None:
     two.press()
     two.pull(150)
     two.release()
-    assert two.play.session.strokes == 1
+    assert two.play.state.session.strokes == 1
 
 
 def test_a_ball_dropped_where_it_has_no_room_is_back(two: Hand) -> None:
     for spot in ((CUE.x + 0.02, CUE.y), (-0.1, 0.5)):
         drag(two, (ONE.x, ONE.y), spot, 3)
         assert place(two, "1") == (ONE.x, ONE.y)
-        assert "no room" in two.play.message_text
+        assert "no room" in two.play.state.messages.text
 
 
 def test_escape_puts_a_dragged_ball_back(two: Hand) -> None:
     two.point(ONE.x, ONE.y)
     two.press(3)
     two.point(1.0, 1.0)
-    assert two.play.in_hand.ball == "1"
+    assert two.play.state.in_hand.ball == "1"
     two.key(pygame.K_ESCAPE)
     two.release(3)
     assert place(two, "1") == (ONE.x, ONE.y)
-    assert two.play.in_hand.ball == ""
+    assert two.play.state.in_hand.ball == ""
 
 
 def test_losing_the_window_puts_a_dragged_ball_back(two: Hand) -> None:
@@ -82,14 +82,14 @@ def test_losing_the_window_puts_a_dragged_ball_back(two: Hand) -> None:
     two.post(pygame.WINDOWFOCUSLOST)
     two.release(3)
     assert place(two, "1") == (ONE.x, ONE.y)
-    assert set(two.play.session.layout) == {"cue", "1"}
+    assert set(two.play.state.session.layout) == {"cue", "1"}
 
 
 def test_a_right_click_takes_a_ball_off_and_adds_one(two: Hand) -> None:
     two.point(ONE.x, ONE.y)
     two.press(3)
     two.release(3)
-    assert "1" not in two.play.session.layout
+    assert "1" not in two.play.state.session.layout
     two.point(1.9, 0.4)
     two.press(3)
     two.release(3)
@@ -103,14 +103,14 @@ def test_a_ball_dropped_on_the_upper_bar_is_taken_off(two: Hand) -> None:
     two.press(3)
     two.move((400, 5))
     two.release(3)
-    assert "1" not in two.play.session.layout
+    assert "1" not in two.play.state.session.layout
 
 
 def test_everything_by_keyboard_alone(hand: Hand) -> None:
     hand.set_balls(CUE, ONE)
     hand.key(pygame.K_x)
     hand.key(pygame.K_x)
-    assert hand.play.in_hand.ball == "1"
+    assert hand.play.state.in_hand.ball == "1"
     hand.key(pygame.K_RIGHT)
     hand.key(pygame.K_UP, pygame.KMOD_SHIFT)
     hand.key(pygame.K_DOWN, CTRL)
@@ -119,25 +119,25 @@ def test_everything_by_keyboard_alone(hand: Hand) -> None:
     assert place(hand, "1") == pytest.approx((ONE.x + 0.01, ONE.y + 0.002 - 0.2))
     hand.key(pygame.K_INSERT)
     hand.key(pygame.K_INSERT)
-    assert hand.play.in_hand.ball == "3"
+    assert hand.play.state.in_hand.ball == "3"
     hand.key(pygame.K_SPACE)
-    assert set(hand.play.session.layout) == {"cue", "1", "3"}
+    assert set(hand.play.state.session.layout) == {"cue", "1", "3"}
     hand.key(pygame.K_DELETE)
-    assert "pick a ball up" in hand.play.message_text
+    assert "pick a ball up" in hand.play.state.messages.text
     for _ in range(3):
         hand.key(pygame.K_x)
     hand.key(pygame.K_DELETE)
-    assert set(hand.play.session.layout) == {"cue", "1"}
+    assert set(hand.play.state.session.layout) == {"cue", "1"}
     hand.key(pygame.K_u)
-    assert set(hand.play.session.layout) == {"cue", "1", "3"}
+    assert set(hand.play.state.session.layout) == {"cue", "1", "3"}
 
 
 def test_a_ball_picked_up_by_key_waits_for_the_pointer_to_move(two: Hand) -> None:
     two.key(pygame.K_x)
     two.move((two.at[0] + 2, two.at[1]))
-    assert two.play.in_hand.at is None
+    assert two.play.state.in_hand.at is None
     two.point(1.8, 0.9)
-    assert two.play.in_hand.at == pytest.approx((1.8, 0.9), abs=0.003)
+    assert two.play.state.in_hand.at == pytest.approx((1.8, 0.9), abs=0.003)
     two.key(pygame.K_ESCAPE)
     assert place(two, "cue") == (CUE.x, CUE.y)
 
@@ -145,7 +145,7 @@ def test_a_ball_picked_up_by_key_waits_for_the_pointer_to_move(two: Hand) -> Non
 def test_the_cue_ball_taken_off_is_in_hand(two: Hand) -> None:
     two.key(pygame.K_x)
     two.key(pygame.K_DELETE)
-    assert two.play.session.in_hand
+    assert two.play.state.session.in_hand
     two.point(0.4, 0.4)
     two.press()
     two.release()
@@ -154,13 +154,14 @@ def test_the_cue_ball_taken_off_is_in_hand(two: Hand) -> None:
 
 def test_a_full_table_has_no_ball_to_add(hand: Hand) -> None:
     hand.key(pygame.K_c)
-    assert hand.play.in_hand.ball == ""
-    assert "All balls" in hand.play.message_text
+    assert hand.play.state.in_hand.ball == ""
+    assert "All balls" in hand.play.state.messages.text
 
 
 def test_in_a_match_only_the_cue_ball_in_hand_moves_and_only_where_it_may(hand: Hand) -> None:
     table = load_table("pool-9ft")
-    hand.play.session = session = Session(Match(table, Setup("eight-ball", seed=1)))
+    session = Session(Match(table, Setup("eight-ball", seed=1)))
+    hand.play.state.begin(session)
     hand.point(1.0, 0.3)
     before = session.layout
     if session.in_hand:
@@ -176,7 +177,7 @@ def test_in_a_match_only_the_cue_ball_in_hand_moves_and_only_where_it_may(hand: 
     assert place(hand, "1") == (one.x, one.y)
     for key, mod in ((pygame.K_F6, 0), (pygame.K_c, 0), (pygame.K_o, CTRL)):
         hand.key(key, mod)
-        assert "Only in practice" in hand.play.message_text
+        assert "Only in practice" in hand.play.state.messages.text
         assert session.layout == session.match.layout
 
 
@@ -184,4 +185,4 @@ def test_balls_that_fell_come_back_when_they_are_added(hand: Hand) -> None:
     hand.set_balls(CUE, ONE._replace(phase=POCKETED))
     hand.key(pygame.K_c)
     hand.key(pygame.K_SPACE)
-    assert hand.play.session.layout["1"].phase != POCKETED
+    assert hand.play.state.session.layout["1"].phase != POCKETED

@@ -26,13 +26,13 @@ CUE = Ball("cue", 0.635, 0.635)
 def test_the_same_part_of_the_window_gives_the_same_speed(hand: Hand, size: tuple[int, int], zoom: int) -> None:
     hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     hand.app.step(0.0)
-    hand.play.effects = Effects(reduced_motion=True)
+    hand.play.state.show.effects = Effects(reduced_motion=True)
     hand.move((size[0] * 0.6, size[1] * 0.4))
     for _ in range(zoom):
         hand.key(pygame.K_PLUS)
     hand.press()
     hand.pull(size[1] / 6)
-    assert hand.play.hands.speed == pytest.approx(pulled_speed(1 / 6), rel=0.02)
+    assert hand.play.state.hands.speed == pytest.approx(pulled_speed(1 / 6), rel=0.02)
 
 
 def test_in_a_narrow_window_the_width_is_the_measure(hand: Hand) -> None:
@@ -41,7 +41,7 @@ def test_in_a_narrow_window_the_width_is_the_measure(hand: Hand) -> None:
     hand.point(1.9, 0.635)
     hand.press()
     hand.pull(FULL_PULL * 450)
-    assert hand.play.hands.speed == pytest.approx(MAX_SPEED, rel=0.02)
+    assert hand.play.state.hands.speed == pytest.approx(MAX_SPEED, rel=0.02)
 
 
 def test_a_drawn_cue_tells_its_speed() -> None:
@@ -57,9 +57,9 @@ def test_close_to_the_ball_a_small_movement_is_a_small_turn(hand: Hand) -> None:
     hand.move((x, y))
     rng = random.Random(1)
     for _ in range(40):
-        before, at = hand.play.hands.aim.angle, hand.at
+        before, at = hand.play.state.hands.aim.angle, hand.at
         hand.move((x + rng.randint(-2, 2), y + rng.randint(-2, 2)))
-        turn = abs(math.remainder(hand.play.hands.aim.angle - before, 360.0))
+        turn = abs(math.remainder(hand.play.state.hands.aim.angle - before, 360.0))
         moved = math.dist(at, hand.at) / view.scale
         assert turn <= 1.4 * math.degrees(moved / (6 * 0.028575)) + 1e-9
 
@@ -75,7 +75,7 @@ def test_away_from_the_ball_the_cue_points_through_the_pointer_again(hand: Hand)
         hand.move((x + out * math.cos(angle), y - out * math.sin(angle)))
     px, py = view.to_table(*hand.at)
     through = math.degrees(math.atan2(py - CUE.y, px - CUE.x))
-    assert hand.play.hands.aim.angle == pytest.approx(through)
+    assert hand.play.state.hands.aim.angle == pytest.approx(through)
 
 
 def test_after_a_shot_the_cue_points_through_the_resting_pointer(hand: Hand) -> None:
@@ -84,8 +84,8 @@ def test_after_a_shot_the_cue_points_through_the_resting_pointer(hand: Hand) -> 
     hand.key(pygame.K_SPACE)
     hand.key(pygame.K_SPACE)
     x, y = hand.play.stage.view.to_table(*hand.at)
-    cue = hand.play.session.cue
-    assert hand.play.hands.aim.angle == pytest.approx(math.degrees(math.atan2(y - cue.y, x - cue.x)) % 360.0)
+    cue = hand.play.state.session.cue
+    assert hand.play.state.hands.aim.angle == pytest.approx(math.degrees(math.atan2(y - cue.y, x - cue.x)) % 360.0)
 
 
 def test_the_cue_comes_forward_meets_the_ball_and_is_gone() -> None:
@@ -107,7 +107,7 @@ def test_the_balls_start_when_the_stroke_has_come_to_them(hand: Hand) -> None:
     hand.press()
     hand.pull(150)
     hand.release()
-    playback = hand.play.playback
+    playback = hand.play.state.playback
     assert playback is not None
     assert -cue_motion.FORWARD < playback.time < 0.0
     assert playback.rollout.at(playback.time)["cue"][1:3] == (CUE.x, CUE.y)
@@ -117,10 +117,10 @@ def test_the_balls_start_when_the_stroke_has_come_to_them(hand: Hand) -> None:
 
 
 def test_with_reduced_motion_the_balls_start_at_once(hand: Hand) -> None:
-    hand.play.effects = Effects(reduced_motion=True)
+    hand.play.state.show.effects = Effects(reduced_motion=True)
     hand.point(1.905, 0.635)
     hand.key(pygame.K_SPACE)
-    assert hand.play.time == pytest.approx(2 * FRAME)
+    assert hand.time == pytest.approx(2 * FRAME)
 
 
 def test_at_rest_nothing_needs_to_be_drawn_anew(hand: Hand) -> None:
@@ -145,18 +145,18 @@ def test_at_rest_nothing_needs_to_be_drawn_anew(hand: Hand) -> None:
 
 @pytest.mark.parametrize(("table", "angle"), [("pool-9ft", 0.0), ("carom-10ft", None)])
 def test_a_new_rack_is_faced(hand: Hand, table: str, angle: float | None) -> None:
-    hand.play.open_table(table)
+    hand.play.state.open_table(table)
     hand.point(0.1, 1.2)
     hand.key(pygame.K_w)
     hand.key(pygame.K_UP)
-    before = hand.play.hands.aim
+    before = hand.play.state.hands.aim
     hand.key(pygame.K_n)
-    aim, session = hand.play.hands.aim, hand.play.session
+    aim, session = hand.play.state.hands.aim, hand.play.state.session
     others = [ball for ball in session.layout.values() if ball.id != session.cue.id]
     x, y = sum(ball.x for ball in others) / len(others), sum(ball.y for ball in others) / len(others)
     way = math.degrees(math.atan2(y - session.cue.y, x - session.cue.x))
     assert math.remainder(aim.angle - (way if angle is None else angle), 360.0) == pytest.approx(0.0, abs=0.01)
     # Whoever tries a break again wants it as it was struck.
     assert aim == replace(before, angle=aim.angle) and aim.height > 0.0
-    hand.play.open_table(table)
-    assert hand.play.hands.aim == Aim(angle=aim.angle)
+    hand.play.state.open_table(table)
+    assert hand.play.state.hands.aim == Aim(angle=aim.angle)

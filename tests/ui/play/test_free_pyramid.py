@@ -18,6 +18,7 @@ from pool2d.game.session import Session
 from pool2d.physics.values import POCKETED
 from pool2d.ui.play import play_view
 from pool2d.ui.replay.replay_scene import Replay
+from pool2d.ui.stage.shown_balls import BallHistory
 
 from ..at_match import begin
 from ..conftest import FRAME, Hand
@@ -36,7 +37,7 @@ def under_way(hand: Hand) -> Session:
 
 
 def click(hand: Hand, ball: str) -> None:
-    place = hand.play.session.layout[ball]
+    place = hand.play.state.session.layout[ball]
     hand.point(place.x, place.y)
     hand.press()
     hand.release()
@@ -48,7 +49,7 @@ def test_a_click_takes_the_ball_that_strikes_and_another_takes_it_back(hand: Han
     click(hand, "5")
     assert session.cue.id == "5" and session.strokes == 1
     hand.app.step(FRAME)
-    assert any(getattr(widget, "label", "") == "Strikes: 5" for widget in hand.play.call_strip.form.widgets)
+    assert any(getattr(widget, "label", "") == "Strikes: 5" for widget in hand.play.controller.call_strip.form.widgets)
     click(hand, "7")
     assert session.cue.id == "7"
     click(hand, "7")
@@ -71,8 +72,8 @@ def test_the_ball_taken_is_aimed_struck_and_recorded(hand: Hand) -> None:
     click(hand, "5")
     ball = session.layout["5"]
     hand.point(ball.x - 0.6, ball.y + 0.5)
-    assert hand.play.hands.aim.angle == pytest.approx(140.2, abs=1.0)
-    assert play_view.notes(hand.play, 2.0) == ""
+    assert hand.play.state.hands.aim.angle == pytest.approx(140.2, abs=1.0)
+    assert play_view.notes(hand.play.state, 2.0) == ""
     hand.press()
     hand.pull(100.0)
     hand.release()
@@ -93,15 +94,17 @@ def test_the_ball_without_a_number_is_seen_in_the_tray_once_it_has_scored(hand: 
     state = rules._aiming(session.match.state, balls, 0)
     session.match._past[-1] = replace(session.match.now, ruling=Ruling(state, balls))
     click(hand, "5")
-    hand.play.hands.aim = replace(hand.play.hands.aim, angle=45.0, speed=2.0)
+    hand.play.state.hands.aim = replace(hand.play.state.hands.aim, angle=45.0, speed=2.0)
     hand.strike()
     hand.app.step(FRAME)
     assert session.layout["cue"].phase == POCKETED and not session.ruling.foul
-    assert "cue" in hand.play.stage.pocketed
+    assert "cue" in hand.play.state.pocketed
     # At a game in which it comes back it is none of those that are down.
     begin(hand)
     hand.app.step(FRAME)
-    assert not hand.play.stage.cue_counts
+    begun = hand.play.state.session
+    gone = begun.layout.without("cue").put(Ball("cue", 0.0, 0.0, phase=POCKETED))
+    assert not BallHistory().at_rest(gone).pocketed(begun.match)
 
 
 def test_so_it_is_where_a_record_is_shown(hand: Hand) -> None:
@@ -109,7 +112,9 @@ def test_so_it_is_where_a_record_is_shown(hand: Hand) -> None:
     hand.strike()
     session.leave()
     assert isinstance(session.recorder, Recorder)
-    assert Replay(RecordedShots(load(session.recorder.path))).stage.cue_counts
+    replay = Replay(RecordedShots(load(session.recorder.path)))
+    gone = session.layout.without("cue").put(Ball("cue", 0.0, 0.0, phase=POCKETED))
+    assert BallHistory().at_rest(gone).pocketed(replay.state.shots[0].match) == ("cue",)
 
 
 def test_taking_back_goes_back_to_the_ball_that_was_struck_before(hand: Hand) -> None:

@@ -23,11 +23,11 @@ def given(hand: Hand) -> Hand:
 
 
 def lies(hand: Hand) -> Point:
-    return hand.play.session.cue.x, hand.play.session.cue.y
+    return hand.play.state.session.cue.x, hand.play.state.session.cue.y
 
 
 def held(hand: Hand) -> Point | None:
-    ball = hand.play.in_hand.held(hand.play.session)
+    ball = hand.play.state.in_hand.held(hand.play.state.session)
     return None if ball is None else (ball.x, ball.y)
 
 
@@ -40,18 +40,18 @@ def test_it_lies_where_it_lay_until_the_pointer_moves_and_then_follows_it(given:
     for to in ((0.5, 0.4), (0.7, 0.9)):
         given.point(*to)
         assert held(given) == pytest.approx(to, abs=0.003)
-    assert "Click where the cue ball shall stand. Esc leaves it where it lies." in given.play.message_text
+    assert "Click where the cue ball shall stand. Esc leaves it where it lies." in given.play.state.messages.text
     given.press()
     given.release()
     assert lies(given) == pytest.approx((0.7, 0.9), abs=0.003) and held(given) is None
     # From now on the pointer aims.
     given.point(1.5, 0.9)
-    assert held(given) is None and given.play.hands.aim.angle == pytest.approx(0.0, abs=0.5)
-    assert "may be dragged anywhere" in given.play.message_text and "Esc" not in given.play.message_text
+    assert held(given) is None and given.play.state.hands.aim.angle == pytest.approx(0.0, abs=0.5)
+    assert "may be dragged anywhere" in given.play.state.messages.text and "Esc" not in given.play.state.messages.text
     given.press()
     given.pull(100)
     given.release()
-    assert given.play.session.match.now.action is not None and not placed(given.play.session)
+    assert given.play.state.session.match.now.action is not None and not placed(given.play.state.session)
 
 
 def test_esc_leaves_it_where_it_lies_and_it_does_not_come_back(given: Hand) -> None:
@@ -59,13 +59,13 @@ def test_esc_leaves_it_where_it_lies_and_it_does_not_come_back(given: Hand) -> N
     given.point(0.7, 0.9)
     given.key(pygame.K_ESCAPE)
     given.app.step(0.1)
-    assert held(given) is None and lies(given) == before and not placed(given.play.session)
+    assert held(given) is None and lies(given) == before and not placed(given.play.state.session)
     given.app.step(5.0)
-    assert "may be dragged anywhere" in given.play.message_text
+    assert "may be dragged anywhere" in given.play.state.messages.text
 
 
 def test_put_down_unmoved_it_is_played_from_where_it_lies(given: Hand) -> None:
-    session, before, strokes = given.play.session, lies(given), given.play.session.strokes
+    session, before, strokes = given.play.state.session, lies(given), given.play.state.session.strokes
     given.app.step(1.0)
     for _ in range(2):
         given.key(pygame.K_SPACE)
@@ -92,10 +92,10 @@ def test_left_and_come_back_to_it_is_still_in_hand(given: Hand) -> None:
 
 
 def test_taken_back_to_before_the_break_it_is_not_in_hand_though_it_may_be_moved(given: Hand) -> None:
-    session = given.play.session
+    session = given.play.state.session
     given.point(0.7, 0.9)
     while session.undo():
         pass
-    given.play.drop()
+    given.play.state.drop()
     given.app.step(0.1)
     assert session.movable and not session.given and held(given) is None

@@ -15,7 +15,7 @@ from ..conftest import CUE, ONE, Hand
 
 def beside(hand: Hand, pixels: float, angle: float) -> None:
     """Point so many pixels beside the edge of the cue ball."""
-    stage, cue = hand.play.stage, hand.play.session.cue
+    stage, cue = hand.play.stage, hand.play.state.session.cue
     x, y = stage.view.to_screen(cue.x, cue.y)
     out = stage.table.body_of(cue)[0] * stage.view.scale + pixels
     hand.move((x + out * math.cos(angle), y + out * math.sin(angle)))
@@ -31,8 +31,8 @@ def drag(hand: Hand, x: float, y: float) -> None:
 def test_a_grab_that_just_misses_the_cue_ball_takes_it(two: Hand, angle: float) -> None:
     beside(two, 10.0, angle)
     drag(two, 0.3, 0.9)
-    cue = two.play.session.cue
-    assert two.play.session.strokes == 0 and two.play.playback is None
+    cue = two.play.state.session.cue
+    assert two.play.state.session.strokes == 0 and two.play.state.playback is None
     # It is carried by where it was taken.
     assert math.hypot(cue.x - 0.3, cue.y - 0.9) == pytest.approx(0.05, abs=0.03)
 
@@ -42,7 +42,7 @@ def test_farther_off_a_press_is_a_pull(two: Hand) -> None:
     two.press()
     two.pull(100)
     two.release()
-    assert two.play.session.strokes == 1
+    assert two.play.state.session.strokes == 1
 
 
 def test_another_ball_under_the_pointer_is_not_the_cue_ball(two: Hand) -> None:
@@ -51,14 +51,14 @@ def test_another_ball_under_the_pointer_is_not_the_cue_ball(two: Hand) -> None:
     two.press()
     two.pull(100)
     two.release()
-    assert two.play.session.strokes == 1
+    assert two.play.state.session.strokes == 1
 
 
 def test_beside_the_cue_ball_the_right_button_means_the_cloth(two: Hand) -> None:
     beside(two, 6.0, 1.9)
     two.press(3)
     two.release(3)
-    assert two.play.in_hand.ball not in ("", "cue") and "cue" in two.play.session.layout
+    assert two.play.state.in_hand.ball not in ("", "cue") and "cue" in two.play.state.session.layout
 
 
 def test_where_the_cue_ball_may_not_be_moved_a_press_beside_it_is_a_pull(hand: Hand) -> None:
@@ -85,30 +85,30 @@ def test_a_ball_in_hand_is_placed_by_a_press_and_carried_on_by_a_drag(two: Hand)
     two.set_balls(CUE, ONE, in_hand=True)
     two.point(0.4, 0.4)
     two.press()
-    assert (two.play.session.cue.x, two.play.session.cue.y) == pytest.approx((0.4, 0.4), abs=0.003)
+    assert (two.play.state.session.cue.x, two.play.state.session.cue.y) == pytest.approx((0.4, 0.4), abs=0.003)
     two.point(0.7, 0.9)
     two.release()
-    assert (two.play.session.cue.x, two.play.session.cue.y) == pytest.approx((0.7, 0.9), abs=0.003)
-    assert two.play.session.strokes == 0
+    assert (two.play.state.session.cue.x, two.play.state.session.cue.y) == pytest.approx((0.7, 0.9), abs=0.003)
+    assert two.play.state.session.strokes == 0
 
 
 def test_a_ball_in_hand_without_room_is_carried_to_where_there_is(two: Hand) -> None:
     two.set_balls(CUE, ONE, in_hand=True)
     two.point(ONE.x, ONE.y)
     two.press()
-    assert two.play.session.in_hand and "no room" in two.play.message_text
+    assert two.play.state.session.in_hand and "no room" in two.play.state.messages.text
     two.point(0.7, 0.9)
     two.release()
-    assert not two.play.session.in_hand
-    assert (two.play.session.cue.x, two.play.session.cue.y) == pytest.approx((0.7, 0.9), abs=0.003)
+    assert not two.play.state.session.in_hand
+    assert (two.play.state.session.cue.x, two.play.state.session.cue.y) == pytest.approx((0.7, 0.9), abs=0.003)
 
 
 def test_let_go_without_room_it_stays_in_hand_where_it_is(two: Hand) -> None:
     two.set_balls(CUE, ONE, in_hand=True)
     two.point(ONE.x, ONE.y)
     drag(two, ONE.x + 0.02, ONE.y)
-    assert two.play.session.in_hand and "no room" in two.play.message_text
-    assert two.play.in_hand.at == pytest.approx((ONE.x + 0.02, ONE.y), abs=0.003)
+    assert two.play.state.session.in_hand and "no room" in two.play.state.messages.text
+    assert two.play.state.in_hand.at == pytest.approx((ONE.x + 0.02, ONE.y), abs=0.003)
 
 
 @pytest.mark.parametrize("pixels", [0, 3, 8, 15])
@@ -117,7 +117,7 @@ def test_a_short_press_is_no_stroke(two: Hand, pixels: int) -> None:
     two.press()
     two.pull(pixels)
     two.release()
-    assert two.play.session.strokes == 0
+    assert two.play.state.session.strokes == 0
 
 
 def test_the_softest_stroke_is_the_same_by_hand_and_by_key() -> None:

@@ -45,7 +45,7 @@ def test_it_may_be_put_there_and_is_within(name: str) -> None:
 
 
 def test_in_practice_it_is_dragged_there_played_and_taken_back(two: Hand) -> None:
-    session = two.play.session
+    session = two.play.state.session
     x, y = on_shelf(session.table)
     cue = session.cue
     drag(two, (cue.x, cue.y), (x, y), 1)
@@ -61,7 +61,7 @@ def test_in_practice_it_is_dragged_there_played_and_taken_back(two: Hand) -> Non
 
 
 def test_in_practice_it_is_pasted_there(two: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
-    session = two.play.session
+    session = two.play.state.session
     x, y = on_shelf(session.table)
     monkeypatch.setattr(pygame.scrap, "get_text", lambda: f"pool-9ft cue@{x!r},{y!r} 1@1.5,0.5")
     two.key(pygame.K_v, pygame.KMOD_CTRL)

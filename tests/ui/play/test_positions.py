@@ -32,101 +32,101 @@ def shown(hand: Hand) -> object:
 
 
 def place(hand: Hand, ball: str) -> tuple[float, float]:
-    at = hand.play.session.layout[ball]
+    at = hand.play.state.session.layout[ball]
     return at.x, at.y
 
 
 def test_copy_and_paste_give_the_same_position_and_aim(two: Hand, copied: list[str]) -> None:
     for key in (pygame.K_UP, pygame.K_d, pygame.K_e):
         two.key(key)
-    aim = two.play.hands.aim
+    aim = two.play.state.hands.aim
     two.key(pygame.K_c, CTRL)
     told = read(copied[0])
-    assert (told.layout, told.table, told.shot) == (two.play.session.layout, "pool-9ft", aim.shot("cue"))
+    assert (told.layout, told.table, told.shot) == (two.play.state.session.layout, "pool-9ft", aim.shot("cue"))
     two.key(pygame.K_n)
     two.key(pygame.K_BACKSPACE)
     two.key(pygame.K_v, CTRL)
-    assert two.play.session.layout == Layout([CUE, ONE])
-    assert two.play.hands.aim == aim
+    assert two.play.state.session.layout == Layout([CUE, ONE])
+    assert two.play.state.hands.aim == aim
 
 
 def test_a_position_on_another_table_goes_over_to_it(two: Hand, copied: list[str]) -> None:
     copied[0] = "snooker-12ft cue@0.7,0.7 red1@2,0.9 cue:30,2"
     two.key(pygame.K_v, CTRL)
-    session = two.play.session
+    session = two.play.state.session
     assert session.table.source == "snooker-12ft"
     assert set(session.layout) == {"cue", "red1"}
-    assert two.play.hands.aim.angle == 30.0
+    assert two.play.state.hands.aim.angle == 30.0
 
 
 def test_a_position_without_a_table_stays_on_this_one(two: Hand, copied: list[str]) -> None:
-    table = two.play.session.table
+    table = two.play.state.session.table
     copied[0] = "cue@0.7,0.7 9@2,0.9"
     two.key(pygame.K_v, CTRL)
-    assert two.play.session.table is table
-    assert set(two.play.session.layout) == {"cue", "9"}
+    assert two.play.state.session.table is table
+    assert set(two.play.state.session.layout) == {"cue", "9"}
     copied[0] = "cue:45,2.5"
     two.key(pygame.K_v, CTRL)
-    assert set(two.play.session.layout) == {"cue", "9"}
-    assert (two.play.hands.aim.angle, two.play.hands.aim.speed) == (45.0, 2.5)
+    assert set(two.play.state.session.layout) == {"cue", "9"}
+    assert (two.play.state.hands.aim.angle, two.play.state.hands.aim.speed) == (45.0, 2.5)
 
 
 @pytest.mark.parametrize(
     "text", ["hello world", "no-such-table cue@1,1", "cue@9,9", "cue@1,0.6 1@1,0.6", "snooker-12ft cue@9,9", " "]
 )
 def test_a_wrong_position_is_told_and_nothing_is_lost(two: Hand, copied: list[str], text: str) -> None:
-    session, layout, aim = two.play.session, two.play.session.layout, two.play.hands.aim
+    session, layout, aim = two.play.state.session, two.play.state.session.layout, two.play.state.hands.aim
     copied[0] = text
     two.key(pygame.K_v, CTRL)
-    assert two.play.session is session and session.layout is layout and two.play.hands.aim == aim
-    assert two.play.message_text not in ("", "The position is set up.")
+    assert two.play.state.session is session and session.layout is layout and two.play.state.hands.aim == aim
+    assert two.play.state.messages.text not in ("", "The position is set up.")
 
 
 def test_without_a_clipboard_that_is_told(two: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(pygame, "scrap", None)
     for key in (pygame.K_c, pygame.K_v):
-        two.play.tell("")
+        two.play.state.messages.say("")
         two.key(key, CTRL)
-        assert "no clipboard" in two.play.message_text
+        assert "no clipboard" in two.play.state.messages.text
 
 
 def test_the_same_shot_again_from_the_same_balls(two: Hand) -> None:
     two.key(pygame.K_F5)
-    assert "no shot" in two.play.message_text
+    assert "no shot" in two.play.state.messages.text
     two.key(pygame.K_d)
-    before, aim = two.play.session.layout, two.play.hands.aim
+    before, aim = two.play.state.session.layout, two.play.state.hands.aim
     two.key(pygame.K_SPACE)
-    rollout = two.play.session.rollout
+    rollout = two.play.state.session.rollout
     two.key(pygame.K_SPACE)
     two.point(2.0, 1.0)
     two.key(pygame.K_BACKSPACE)
     two.key(pygame.K_F5)
     two.app.step(0.5)
-    assert two.play.session.layout == before
-    assert two.play.hands.aim == aim
+    assert two.play.state.session.layout == before
+    assert two.play.state.hands.aim == aim
     two.key(pygame.K_SPACE)
-    again = two.play.session.rollout
+    again = two.play.state.session.rollout
     assert rollout is not None and again is not None
     assert again.digest() == rollout.digest()
 
 
 @pytest.mark.parametrize(("key", "x", "y"), [(pygame.K_F6, ONE.x, 1.27 - ONE.y), (pygame.K_F7, 2.54 - ONE.x, ONE.y)])
 def test_mirrored_twice_it_is_as_before(two: Hand, key: int, x: float, y: float) -> None:
-    layout, aim = two.play.session.layout, two.play.hands.aim
+    layout, aim = two.play.state.session.layout, two.play.state.hands.aim
     two.key(key)
     assert place(two, "1") == pytest.approx((x, y), abs=1e-6)
-    assert two.play.hands.aim.angle != aim.angle
+    assert two.play.state.hands.aim.angle != aim.angle
     two.key(key)
     assert place(two, "1") == pytest.approx((ONE.x, ONE.y), abs=1e-6)
-    assert two.play.hands.aim.angle == pytest.approx(aim.angle)
-    assert set(two.play.session.layout) == set(layout)
+    assert two.play.state.hands.aim.angle == pytest.approx(aim.angle)
+    assert set(two.play.state.session.layout) == set(layout)
 
 
 def test_a_position_is_kept_by_name_opened_and_deleted(
     two: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
-    aim = two.play.hands.aim
+    aim = two.play.state.hands.aim
     two.key(pygame.K_s, CTRL)
     assert isinstance(shown(two), TextPrompt)
     two.key(pygame.K_RETURN)
@@ -137,8 +137,8 @@ def test_a_position_is_kept_by_name_opened_and_deleted(
     assert isinstance(shown(two), PositionList)
     two.key(pygame.K_RETURN)
     assert shown(two) is two.play
-    assert two.play.session.layout == Layout([CUE, ONE])
-    assert two.play.hands.aim == aim
+    assert two.play.state.session.layout == Layout([CUE, ONE])
+    assert two.play.state.hands.aim == aim
     two.key(pygame.K_o, CTRL)
     two.key(pygame.K_DELETE)
     assert saved_positions.positions() == ["Position 1"], "asked for once"
@@ -150,7 +150,7 @@ def test_a_position_is_kept_by_name_opened_and_deleted(
 
 def test_a_name_that_is_taken_is_asked_for_twice(two: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
-    saved_positions.save("mine", two.play.session.table, Layout([CUE]))
+    saved_positions.save("mine", two.play.state.session.table, Layout([CUE]))
     two.key(pygame.K_s, CTRL)
     asked = two.app.scene
     assert isinstance(asked, TextPrompt)
@@ -164,11 +164,11 @@ def test_a_name_that_is_taken_is_asked_for_twice(two: Hand, tmp_path: Path, monk
 
 def test_a_damaged_position_is_told_in_the_list(two: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
-    path = saved_positions.save("mine", two.play.session.table, Layout([CUE]))
+    path = saved_positions.save("mine", two.play.state.session.table, Layout([CUE]))
     path.write_text('position = "nothing here"')
     two.key(pygame.K_o, CTRL)
     listed = two.app.scene
     assert isinstance(listed, PositionList)
     two.key(pygame.K_RETURN)
     assert two.app.scene is listed and "mine" in listed.wrong
-    assert set(two.play.session.layout) == {"cue", "1"}
+    assert set(two.play.state.session.layout) == {"cue", "1"}

@@ -41,8 +41,9 @@ class Shaky(Hand):
     def miss(self, pocket: tuple[float, float]) -> float:
         """By how many degrees the object ball's line, as it is drawn, goes to the left of the pocket."""
         play = self.play
-        shot = play.hands.aim.shot("cue", play.hands.speed)
-        rollout = play.stage.foresee(play.level, play.session.layout, shot)
+        shot = play.state.hands.aim.shot("cue", play.state.hands.speed)
+        session = play.state.session
+        rollout = play.state.foresight.rollout(session.table, play.state.show.level, session.layout, shot)
         assert rollout is not None
         line = guide.foresee(rollout, "cue").object
         if not line:
@@ -67,10 +68,10 @@ class Shaky(Hand):
 
     def stroke(self, speed: float) -> None:
         """Pull back until about this speed is shown, and let go."""
-        start, angle = self.at, math.radians(self.play.hands.aim.angle)
+        start, angle = self.at, math.radians(self.play.state.hands.aim.angle)
         self.press()
         far = 0.0
-        while self.play.hands.speed < speed:
+        while self.play.state.hands.speed < speed:
             far += 12.0
             self.toward((start[0] - far * math.cos(angle), start[1] + far * math.sin(angle)))
         self.release()
@@ -91,15 +92,15 @@ def test_a_trembling_hand_pots_what_the_guide_promises(hand: Hand) -> None:
         cut = math.remainder(line - math.atan2(ghost[1] - cue.y, ghost[0] - cue.x), math.tau)
         shaky.correct(pocket, math.dist(ghost, (cue.x, cue.y)) / (2 * RADIUS * math.cos(cut)))
         shaky.stroke(rng.uniform(1.5, 4.0))
-        assert hand.play.session.strokes == 1
-        potted += hand.play.session.layout["1"].phase == POCKETED
+        assert hand.play.state.session.strokes == 1
+        potted += hand.play.state.session.layout["1"].phase == POCKETED
         shaky.key(pygame.K_RETURN)
     assert potted >= 95
 
 
 def position(rng: random.Random, hand: Hand) -> tuple[Ball, Ball, tuple[float, float]]:
     """A cue ball, an object ball near a pocket, and the pocket: straight, or cut by up to 50 degrees."""
-    table = hand.play.session.table
+    table = hand.play.state.session.table
     while True:
         pocket = rng.choice(table.geometry.pockets)
         # Out of a corner the middle of the table lies at 45 degrees, out of a side pocket straight across.

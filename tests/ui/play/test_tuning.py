@@ -21,10 +21,10 @@ from ..conftest import Hand
 
 
 def panel(hand: Hand) -> Tuning:
-    if hand.play.tuning is None:
+    if hand.play.controller.tuning is None:
         hand.key(pygame.K_t)
-    assert hand.play.tuning is not None
-    return hand.play.tuning
+    assert hand.play.controller.tuning is not None
+    return hand.play.controller.tuning
 
 
 def widget(tuning: Tuning, label: str) -> Widget:
@@ -52,8 +52,8 @@ def test_every_knob_is_on_one_page() -> None:
 
 def test_dragging_a_slider_changes_the_table_and_shows_the_last_shot_again(hand: Hand) -> None:
     shot(hand)
-    played = hand.play.session.rollout
-    after = hand.play.session.layout
+    played = hand.play.state.session.rollout
+    after = hand.play.state.session.layout
     tuning = panel(hand)
     assert tuning.old is not None and played is not None
     assert tuning.old.digest() == played.digest()
@@ -64,12 +64,12 @@ def test_dragging_a_slider_changes_the_table_and_shows_the_last_shot_again(hand:
     hand.press()
     hand.move((track.left + track.width * 3 // 4, track.centery + 40))
     hand.release()
-    knobs = hand.play.session.table.knobs
+    knobs = hand.play.state.session.table.knobs
     assert knobs.cloth.mu_roll == slider.value(0.75)
     assert tuning.new is not None
     assert tuning.new.digest() != tuning.old.digest()
     assert tuning.new.start == tuning.old.start
-    assert hand.play.session.layout == after, "looking at the shot again does not move the balls"
+    assert hand.play.state.session.layout == after, "looking at the shot again does not move the balls"
 
 
 def test_a_shot_from_the_aim_is_shown_where_none_was_played(hand: Hand) -> None:
@@ -87,17 +87,17 @@ def test_the_panel_by_keyboard_alone(hand: Hand) -> None:
     hand.key(pygame.K_LEFT)
     hand.key(pygame.K_TAB)
     hand.key(pygame.K_LEFT, pygame.KMOD_CTRL)
-    assert list(hand.play.session.table.set) == ["gravity"]
+    assert list(hand.play.state.session.table.set) == ["gravity"]
     hand.key(pygame.K_DELETE)
-    assert not hand.play.session.table.set
+    assert not hand.play.state.session.table.set
     hand.key(pygame.K_t)
-    assert hand.play.tuning is None
+    assert hand.play.controller.tuning is None
 
 
 def test_escape_closes_the_panel(hand: Hand) -> None:
     panel(hand)
     hand.key(pygame.K_ESCAPE)
-    assert hand.play.tuning is None
+    assert hand.play.controller.tuning is None
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -108,12 +108,12 @@ def test_every_widget_of_every_page_does_something(hand: Hand, page: str) -> Non
     knobs = [one for one in tuning.form.widgets if isinstance(one, Slider | Selector) and one.label != "Compare with"]
     assert knobs
     for one in knobs:
-        before = hand.play.session.table
+        before = hand.play.state.session.table
         if isinstance(one, Slider):
             one.put(one.value(one.part(one.get()) + (0.02 if one.part(one.get()) < 0.9 else -0.02)))
         else:
             one.turn(1)
-        assert hand.play.session.table is not before or tuning.error, one.label
+        assert hand.play.state.session.table is not before or tuning.error, one.label
         tuning.reset()
 
 
@@ -124,7 +124,7 @@ def test_a_law_is_chosen_by_name(hand: Hand) -> None:
     assert isinstance(choice, Selector)
     before = choice.get()
     choice.turn(1)
-    assert hand.play.session.table.knobs.ball.law != before
+    assert hand.play.state.session.table.knobs.ball.law != before
 
 
 def test_reset_all(hand: Hand) -> None:
@@ -133,14 +133,14 @@ def test_reset_all(hand: Hand) -> None:
     tuning.turn("ball.restitution", 0.9)
     hand.app.step(0.0)
     press(hand, widget(tuning, "Reset all").rect.center)
-    assert not hand.play.session.table.set
+    assert not hand.play.state.session.table.set
 
 
 def test_what_does_not_fit_is_told_and_nothing_changes(hand: Hand) -> None:
     tuning = panel(hand)
-    before = hand.play.session.table
+    before = hand.play.state.session.table
     tuning.turn("table.length", 1.0)
-    assert hand.play.session.table is before
+    assert hand.play.state.session.table is before
     assert tuning.error
     tuning.turn("cloth.mu_roll", 0.011)
     assert tuning.error == ""
@@ -153,12 +153,12 @@ def test_comparing_two_presets_on_the_same_shot(hand: Hand) -> None:
     assert tuning.other is not None and tuning.old is not None
     assert tuning.other.digest() == tuning.old.digest()
     tuning.turn("cloth.mu_slide", 0.3)
-    mine = hand.play.session.table
+    mine = hand.play.state.session.table
     tuning.swap()
-    assert hand.play.session.table.knobs.cloth.mu_slide == 0.2
+    assert hand.play.state.session.table.knobs.cloth.mu_slide == 0.2
     assert tuning.compared is mine
     tuning.swap()
-    assert hand.play.session.table is mine
+    assert hand.play.state.session.table is mine
     tuning.compare(NOTHING)
     assert tuning.other is None
 
@@ -168,15 +168,15 @@ def test_the_shot_shown_is_the_last_one_or_the_one_aimed(hand: Hand) -> None:
     tuning = panel(hand)
     hand.app.step(0.0)
     hand.point(1.2, 0.2)
-    assert tuning.shot.angle == hand.play.hands.aim.angle
+    assert tuning.shot.angle == hand.play.state.hands.aim.angle
     hand.key(pygame.K_g)
-    hand.play._enter()
+    hand.play.controller._enter()
     hand.app.step(0.0)
-    assert tuning.new is not None and hand.play.session.rollout is not None
-    assert tuning.new.digest() == hand.play.session.rollout.digest()
+    assert tuning.new is not None and hand.play.state.session.rollout is not None
+    assert tuning.new.digest() == hand.play.state.session.rollout.digest()
     hand.key(pygame.K_n)
     hand.app.step(0.0)
-    assert tuning.start == hand.play.session.layout
+    assert tuning.start == hand.play.state.session.layout
 
 
 def test_a_click_on_a_page_leaves_the_aim_alone(hand: Hand) -> None:
@@ -184,19 +184,19 @@ def test_a_click_on_a_page_leaves_the_aim_alone(hand: Hand) -> None:
     hand.app.step(0.0)
     tabs = next(one for one in tuning.form.widgets if isinstance(one, Tabs))
     hand.move((tabs.rect.right - 8, tabs.rect.centery))
-    angle = hand.play.hands.aim.angle
+    angle = hand.play.state.hands.aim.angle
     hand.press()
     hand.release()
     assert tuning.page == "table"
-    assert hand.play.hands.aim.angle == angle
+    assert hand.play.state.hands.aim.angle == angle
 
 
 def test_a_table_has_to_be_chosen_before_playing_on_it(hand: Hand) -> None:
     tuning = panel(hand)
     tuning.chosen = "nowhere"
-    before = hand.play.session
+    before = hand.play.state.session
     tuning.go()
-    assert hand.play.session is before
+    assert hand.play.state.session is before
     assert "Choose" in tuning.error
 
 
@@ -204,20 +204,21 @@ def test_conditions_lie_under_the_knobs(hand: Hand) -> None:
     tuning = panel(hand)
     tuning.turn("ball.restitution", 0.9)
     tuning.condition("dirty-balls")
-    knobs = hand.play.session.table.knobs
+    knobs = hand.play.state.session.table.knobs
     assert knobs.ball.cling > 1.0
     assert knobs.ball.restitution == 0.9
     tuning.reset()
-    assert hand.play.session.table.knobs.ball.cling > 1.0
-    assert not hand.play.session.table.set
+    assert hand.play.state.session.table.knobs.ball.cling > 1.0
+    assert not hand.play.state.session.table.set
     tuning.condition(NOTHING)
-    assert hand.play.session.table.knobs.ball.cling == 1.0
+    assert hand.play.state.session.table.knobs.ball.cling == 1.0
 
 
 def test_a_saved_file_changes_what_the_panel_shows(hand: Hand) -> None:
     shot(hand)
     tuning = panel(hand)
-    hand.play.change_table(load_table("pool-9ft", {"cloth.mu_slide": 0.3}))
+    hand.play.state.change_table(load_table("pool-9ft", {"cloth.mu_slide": 0.3}))
+    hand.app.step(0.0)
     assert tuning.new is not None and tuning.old is not None
     assert tuning.new.digest() != tuning.old.digest()
 
@@ -228,24 +229,24 @@ def test_going_over_to_another_table(hand: Hand) -> None:
     hand.app.step(0.0)
     tuning.chosen = "snooker-12ft"
     press(hand, widget(tuning, "Play on this table").rect.center)
-    assert hand.play.session.table.source == "snooker-12ft"
-    assert hand.play.tuning is None
+    assert hand.play.state.session.table.source == "snooker-12ft"
+    assert hand.play.controller.tuning is None
     hand.point(2.0, 0.9)
     hand.key(pygame.K_SPACE)
-    assert hand.play.session.strokes == 1
+    assert hand.play.state.session.strokes == 1
 
 
 def test_aiming_goes_on_beside_the_panel(hand: Hand) -> None:
     panel(hand)
     hand.app.step(0.0)
     hand.point(1.2, 1.0)
-    aim = hand.play.hands.aim.angle
+    aim = hand.play.state.hands.aim.angle
     hand.point(1.2, 0.3)
-    assert hand.play.hands.aim.angle != aim
+    assert hand.play.state.hands.aim.angle != aim
     hand.press()
     hand.pull(150)
     hand.release()
-    assert hand.play.session.strokes == 1
+    assert hand.play.state.session.strokes == 1
 
 
 def test_the_table_makes_room_for_the_panel(hand: Hand) -> None:
@@ -271,8 +272,8 @@ def test_saving_as_a_preset_of_ones_own(hand: Hand, tmp_path: Path, monkeypatch:
         hand.key(pygame.K_RETURN)
         assert (hand.app.scene is ask) is wrong, words
         assert bool(ask.wrong) is wrong
-    assert load_table("mine").knobs == hand.play.session.table.knobs
-    assert "mine" in hand.play.message_text
+    assert load_table("mine").knobs == hand.play.state.session.table.knobs
+    assert "mine" in hand.play.state.messages.text
 
 
 def test_leaving_the_question_saves_nothing(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -291,9 +292,9 @@ def test_the_panel_and_the_message_follow_the_language_and_the_keys(hand: Hand) 
     try:
         assert tuning.form.focus is widget(tuning, "Rollwiderstand")
         assert "kein Regler" in tuning._summary()
-        assert hand.play.message_text.startswith("Mit der Maus zielen")
+        assert hand.play.state.messages.text.startswith("Mit der Maus zielen")
         KEYS.bind("help", pygame.K_h)
-        assert "H zeigt alle Tasten" in hand.play.message_text
+        assert "H zeigt alle Tasten" in hand.play.state.messages.text
     finally:
         KEYS.reset()
         hand.app.store.turn("screen.language", "en")

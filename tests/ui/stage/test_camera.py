@@ -45,18 +45,18 @@ def sensible(hand: Hand, view: View) -> bool:
 def test_ctrl_and_the_wheel_zoom_at_the_pointer(hand: Hand) -> None:
     hand.point(1.9, 0.4)
     under = hand.play.stage.view.to_table(*hand.at)
-    scale, aim = hand.play.stage.view.scale, hand.play.hands.aim
+    scale, aim = hand.play.stage.view.scale, hand.play.state.hands.aim
     ctrl_wheel(hand, 3)
     glide = hand.play.stage.view
     assert glide.to_table(*hand.at) == pytest.approx(under)
     assert scale < glide.scale < settle(hand).scale
     assert hand.play.stage.view.to_table(*hand.at) == pytest.approx(under)
     assert hand.play.stage.view.scale == pytest.approx(scale * 1.2**3)
-    assert hand.play.hands.aim == aim
+    assert hand.play.state.hands.aim == aim
 
 
 def test_reduced_motion_goes_there_at_once(hand: Hand) -> None:
-    hand.play.effects = Effects(reduced_motion=True)
+    hand.play.state.show.effects = Effects(reduced_motion=True)
     hand.point(1.9, 0.4)
     ctrl_wheel(hand, 3)
     assert hand.play.stage.camera.settled
@@ -83,13 +83,13 @@ def test_the_middle_button_drags_the_table_along(hand: Hand) -> None:
     hand.point(1.2, 0.6)
     ctrl_wheel(hand, 5)
     settle(hand)
-    aim = hand.play.hands.aim
+    aim = hand.play.state.hands.aim
     under = hand.play.stage.view.to_table(*hand.at)
     hand.press(2)
     hand.move((hand.at[0] + 60, hand.at[1] - 40))
     assert hand.play.stage.view.to_table(*hand.at) == pytest.approx(under)
     hand.release(2)
-    assert hand.play.hands.aim == aim
+    assert hand.play.state.hands.aim == aim
     there = hand.play.stage.view
     hand.move((hand.at[0] + 60, hand.at[1] - 40))
     assert hand.play.stage.view == there
@@ -127,7 +127,7 @@ def test_another_size_of_the_window_keeps_the_zoom(hand: Hand) -> None:
 def test_a_ball_is_drawn_where_the_pointer_finds_it(hand: Hand) -> None:
     hand.set_balls(Ball("cue", 0.6, 0.6), Ball("8", 1.9, 0.4))
     hand.point(1.9, 0.4)
-    hand.play.level = 0
+    hand.play.state.show.level = 0
     ctrl_wheel(hand, 6)
     view = settle(hand)
     hand.app.step(0.0)
@@ -142,7 +142,7 @@ def test_a_ball_is_drawn_where_the_pointer_finds_it(hand: Hand) -> None:
 def test_the_table_is_drawn_where_the_view_says(hand: Hand, x: float, y: float) -> None:
     """The dark crease under a nose lies within a pixel or two of its place, also in the part cut out."""
     hand.set_balls(Ball("cue", 1.27, 0.635))
-    hand.play.level = 0
+    hand.play.state.show.level = 0
     hand.point(1.27, 1.2)
     hand.point(x, y)
     ctrl_wheel(hand, 5)
@@ -160,6 +160,6 @@ def test_the_table_is_drawn_where_the_view_says(hand: Hand, x: float, y: float) 
 def test_a_new_table_is_seen_whole(hand: Hand) -> None:
     hand.point(1.9, 0.4)
     ctrl_wheel(hand, 4)
-    hand.play.open_table("snooker-12ft")
+    hand.play.state.open_table("snooker-12ft")
     hand.app.step(0.0)
     assert hand.play.stage.view == hand.play.stage.camera.home

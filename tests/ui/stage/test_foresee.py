@@ -9,6 +9,7 @@ import pytest
 
 from pool2d import Ball, Layout, Shot, load_table, simulate
 from pool2d.draw import guide
+from pool2d.ui.play.foresight import Foresight
 from pool2d.ui.stage.stage import Stage
 
 from ..conftest import Hand
@@ -23,58 +24,58 @@ def layout(x: float = 1.4) -> Layout:
 
 @pytest.fixture
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """How many shots the stage has simulated, one entry for each."""
+    """How many shots have been simulated to be foreseen, one entry for each."""
     real, count = simulate, list[int]()
 
     def counting(*given: Any, **more: Any) -> object:
         count.append(1)
         return real(*given, **more)
 
-    monkeypatch.setattr("pool2d.ui.stage.stage.simulate", counting)
+    monkeypatch.setattr("pool2d.ui.play.foresight.simulate", counting)
     return count
 
 
 def test_a_guide_that_is_off_is_not_worked_out(two: Hand, counted: list[int]) -> None:
-    two.play.level = guide.OFF
+    two.play.state.show.level = guide.OFF
     for pixel in range(5):
         two.move((700 + 10 * pixel, 300))
     assert not counted
-    two.play.level = guide.LINE
+    two.play.state.show.level = guide.LINE
     two.move((600, 300))
     assert counted
 
 
 def test_the_same_shot_is_worked_out_once(counted: list[int]) -> None:
-    table = Stage(TABLE)
-    first = table.foresee(guide.GHOST, layout(), SHOT)
+    foresight = Foresight()
+    first = foresight.rollout(TABLE, guide.GHOST, layout(), SHOT)
     # Balls that lie alike are the same balls, whatever holds them.
-    assert table.foresee(guide.GHOST, layout(), SHOT) is first and len(counted) == 1
-    assert table.foresee(guide.LINE, layout(), SHOT) is first
+    assert foresight.rollout(TABLE, guide.GHOST, layout(), SHOT) is first and len(counted) == 1
+    assert foresight.rollout(TABLE, guide.LINE, layout(), SHOT) is first
 
 
 def test_other_balls_in_the_place_of_those_that_are_gone_are_foreseen_anew() -> None:
-    table = Stage(TABLE)
+    foresight = Foresight()
     for x in (1.4, 1.5, 1.6, 1.7, 1.8) * 20:
         # Each of these goes as soon as it has been used, and the next may take its place in memory.
-        rollout = table.foresee(guide.GHOST, layout(x), SHOT)
+        rollout = foresight.rollout(TABLE, guide.GHOST, layout(x), SHOT)
         assert rollout is not None and rollout.start["1"].x == x
 
 
 def test_another_table_is_foreseen_anew() -> None:
-    table = Stage(TABLE)
-    first = table.foresee(guide.GHOST, layout(), SHOT)
-    table.table = TABLE.with_knobs({"cloth.mu_roll": 0.02})
-    assert table.foresee(guide.GHOST, layout(), SHOT) is not first
+    foresight = Foresight()
+    first = foresight.rollout(TABLE, guide.GHOST, layout(), SHOT)
+    other = TABLE.with_knobs({"cloth.mu_roll": 0.02})
+    assert foresight.rollout(other, guide.GHOST, layout(), SHOT) is not first
 
 
 def test_the_whole_guide_sees_farther_than_the_short_one() -> None:
-    table = Stage(TABLE)
+    foresight = Foresight()
     balls = TABLE.rack("eight-ball", seed=3)
     shot = Shot(angle=0.0, speed=8.0)
-    short = table.foresee(guide.GHOST, balls, shot)
-    whole = table.foresee(guide.WHOLE, balls, shot)
+    short = foresight.rollout(TABLE, guide.GHOST, balls, shot)
+    whole = foresight.rollout(TABLE, guide.WHOLE, balls, shot)
     assert short is not None and whole is not None
     assert len(short.events) == guide.EVENTS < len(whole.events)
     surface = pygame.Surface((1280, 720))
-    table.guide(surface, guide.WHOLE, balls, shot)
-    assert table.foresee(guide.WHOLE, balls, shot) is whole
+    Stage(TABLE).guide(surface, guide.WHOLE, whole, shot.ball)
+    assert foresight.rollout(TABLE, guide.WHOLE, balls, shot) is whole

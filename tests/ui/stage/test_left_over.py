@@ -48,11 +48,11 @@ def watch(hand: Hand, frames: int) -> None:
         hand.play.stage.bars = bars.CachedBars()
         hand.app.scene.draw(Frame(hand.app.window.surface))
         whole = pygame.surfarray.array3d(hand.app.window.surface)
-        assert np.array_equal(seen, whole), f"{np.argwhere(seen != whole)[[0, -1]]} at {hand.play.playback}"
+        assert np.array_equal(seen, whole), f"{np.argwhere(seen != whole)[[0, -1]]} at {hand.play.state.playback}"
 
 
 def test_a_break_looks_as_if_every_frame_were_drawn_as_a_whole(hand: Hand, parts: list[bool]) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(9.0).toward(1.0, 0.003)
     hand.key(pygame.K_SPACE)
     # Until the cue is gone every frame is a whole one.
     watch(hand, 40)
@@ -62,7 +62,7 @@ def test_a_break_looks_as_if_every_frame_were_drawn_as_a_whole(hand: Hand, parts
 
 
 def test_it_does_from_near_where_balls_leave_the_picture(hand: Hand, parts: list[bool]) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(9.0).toward(1.0, 0.003)
     hand.key(pygame.K_SPACE)
     watch(hand, 30)
     hand.play.stage.camera.zoom(5.0)
@@ -74,7 +74,7 @@ def test_it_does_from_near_where_balls_leave_the_picture(hand: Hand, parts: list
 
 
 def test_nothing_stays_of_what_was_over_the_table(hand: Hand, parts: list[bool]) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(9.0).toward(1.0, 0.003)
     hand.key(pygame.K_SPACE)
     watch(hand, 40)
     for key in (pygame.K_v, pygame.K_b, pygame.K_t, pygame.K_F1):
@@ -84,8 +84,8 @@ def test_nothing_stays_of_what_was_over_the_table(hand: Hand, parts: list[bool])
     hand.app.toast("a note")
     while hand.app.toasts.notes:
         hand.app.step(0.5)
-    hand.play.playback.seek(0.7)  # type: ignore[union-attr]
-    hand.play.playback.kept = False  # type: ignore[union-attr]
+    hand.play.state.playback.seek(0.7)  # type: ignore[union-attr]
+    hand.play.state.playback.kept = False  # type: ignore[union-attr]
     watch(hand, 3)
     # The window was covered, or the system has taken its picture away.
     hand.app.window.surface.fill("red")
@@ -96,13 +96,13 @@ def test_nothing_stays_of_what_was_over_the_table(hand: Hand, parts: list[bool])
 
 def test_the_marks_of_a_drill_stay_below_the_balls(hand: Hand) -> None:
     drill = begin(hand, "stop-shot")
-    drill.hands.aim = Aim.of(drill.drilling.drill.solution[0])
+    hand.play.state.hands.aim = Aim.of(drill.session.drill.solution[0])
     hand.key(pygame.K_SPACE)
     watch(hand, 60)
 
 
 def test_the_time_line_covers_the_lower_bar_alone(hand: Hand, parts: list[bool]) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(9.0).toward(1.0, 0.003)
     hand.key(pygame.K_SPACE)
     watch(hand, 40)
     hand.key(pygame.K_p)
@@ -117,7 +117,7 @@ def test_the_time_line_covers_the_lower_bar_alone(hand: Hand, parts: list[bool])
 
 
 def test_the_bars_follow_what_is_set_while_a_shot_runs(hand: Hand) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(9.0).toward(1.0, 0.003)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(9.0).toward(1.0, 0.003)
     hand.key(pygame.K_SPACE)
     watch(hand, 40)
     for name, value in (("aiming.speed_unit", "mph"), ("screen.language", "de"), ("balls.trails", False)):
@@ -128,13 +128,13 @@ def test_the_bars_follow_what_is_set_while_a_shot_runs(hand: Hand) -> None:
 
 
 def test_nothing_stays_when_the_balls_come_to_rest_or_the_window_changes(hand: Hand) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(2.0).toward(0.0, 1.0)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(2.0).toward(0.0, 1.0)
     hand.key(pygame.K_SPACE)
     watch(hand, 40)
     for _ in range(2):
         hand.key(pygame.K_F11)
         watch(hand, 3)
-    while hand.play.playback is not None:
+    while hand.play.state.playback is not None:
         hand.app.step(FRAME)
     watch(hand, 3)
     hand.wheel(5)
@@ -144,7 +144,7 @@ def test_nothing_stays_when_the_balls_come_to_rest_or_the_window_changes(hand: H
 def test_a_cue_that_strikes_again_at_once_leaves_nothing_on_the_bars(hand: Hand) -> None:
     # The cue ball near the lower rail: the cue lies over the bar.
     hand.set_balls(Ball("cue", 1.2, 0.1), Ball("1", 1.2, 1.0))
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(5.0).toward(0.0, 1.0)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(5.0).toward(0.0, 1.0)
     hand.key(pygame.K_SPACE)
     watch(hand, 60)
     hand.key(pygame.K_u)

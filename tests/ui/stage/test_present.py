@@ -37,7 +37,7 @@ def monitor(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> Monitor:
 
 
 def test_a_running_shot_presents_little_and_all_that_has_changed(hand: Hand, monitor: Monitor) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(4.0)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(4.0)
     hand.key(pygame.K_SPACE)
     for number in range(150):
         # The bars tell of a note, the camera of a larger picture, a click of nothing.
@@ -54,7 +54,7 @@ def test_a_running_shot_presents_little_and_all_that_has_changed(hand: Hand, mon
 
 
 def test_no_more_is_presented_than_the_boxes_drawn(hand: Hand, monitor: Monitor) -> None:
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(6.0)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(6.0)
     hand.key(pygame.K_SPACE)
     for _ in range(40):
         hand.app.step(FRAME)
@@ -86,7 +86,7 @@ def test_a_replayed_record_presents_what_has_changed(hand: Hand, monkeypatch: py
 
     begin(hand, "nine-ball")
     hand.strike()
-    hand.play.session.leave()
+    hand.play.state.session.leave()
     (path,) = records()
     viewer = Replay(RecordedShots(load(path, torn=True)), hand.play)
     hand.app.scene = viewer

@@ -25,13 +25,13 @@ def played(hand: Hand) -> Playback:
     hand.point(1.5, 0.515)
     hand.key(pygame.K_SPACE)
     hand.key(pygame.K_SPACE)
-    assert hand.play.playback is None
+    assert hand.play.state.playback is None
     hand.key(pygame.K_p)
     return shown(hand)
 
 
 def shown(hand: Hand) -> Playback:
-    playback = hand.play.playback
+    playback = hand.play.state.playback
     assert playback is not None
     return playback
 
@@ -42,16 +42,16 @@ def test_a_shot_that_runs_can_be_held_and_goes_on(hand: Hand) -> None:
     for _ in range(30):
         hand.app.step(FRAME)
     hand.key(pygame.K_p)
-    at = hand.play.time
+    at = hand.time
     assert at > 0.0
     for _ in range(10):
         hand.app.step(FRAME)
-    assert hand.play.time == at
+    assert hand.time == at
     hand.key(pygame.K_SPACE)
-    assert hand.play.time == pytest.approx(at + 2 * FRAME)
+    assert hand.time == pytest.approx(at + 2 * FRAME)
     hand.key(pygame.K_ESCAPE)
-    assert hand.play.playback is None
-    assert hand.play.session.strokes == 1
+    assert hand.play.state.playback is None
+    assert hand.play.state.session.strokes == 1
 
 
 def test_a_replay_left_alone_ends_by_itself_and_one_taken_hold_of_stays(hand: Hand) -> None:
@@ -59,12 +59,12 @@ def test_a_replay_left_alone_ends_by_itself_and_one_taken_hold_of_stays(hand: Ha
     hand.key(pygame.K_SPACE)
     for _ in range(round(playback.rollout.duration / FRAME) + 30):
         hand.app.step(FRAME)
-    assert hand.play.playback is playback
+    assert hand.play.state.playback is playback
     assert playback.ended
     hand.key(pygame.K_SPACE)
     assert playback.time < 0.1, "from its end it runs again from the beginning"
     hand.key(pygame.K_RETURN)
-    assert hand.play.playback is None
+    assert hand.play.state.playback is None
     hand.key(pygame.K_r)
     hand.wait_for_rest()
 
@@ -132,7 +132,7 @@ def test_events_at_the_same_moment_are_stepped_through_one_by_one() -> None:
 
 def test_the_line_is_dragged_with_the_mouse(hand: Hand) -> None:
     playback = played(hand)
-    line = hand.play.timeline.track
+    line = hand.play.controller.timeline.track
     hand.move((line.left + line.width / 4, line.centery))
     hand.press()
     assert playback.time == pytest.approx(playback.rollout.duration / 4, rel=0.01)
@@ -148,7 +148,7 @@ def test_the_line_is_dragged_with_the_mouse(hand: Hand) -> None:
 @pytest.mark.parametrize("way", ["the window is lost", "the time line is left"])
 def test_a_drag_ends_with_what_it_was_on(hand: Hand, way: str) -> None:
     playback = played(hand)
-    line = hand.play.timeline.track
+    line = hand.play.controller.timeline.track
     hand.move(line.center)
     hand.press()
     if way == "the window is lost":
@@ -164,7 +164,7 @@ def test_a_drag_ends_with_what_it_was_on(hand: Hand, way: str) -> None:
 
 def test_every_button_does_what_its_key_does(hand: Hand) -> None:
     playback = played(hand)
-    line = hand.play.timeline
+    line = hand.play.controller.timeline
 
     def click(action: str) -> None:
         hand.move(line.button(action).center)
@@ -186,7 +186,7 @@ def test_every_button_does_what_its_key_does(hand: Hand) -> None:
     click("toggle")
     assert not playback.paused
     click("leave")
-    assert hand.play.playback is None
+    assert hand.play.state.playback is None
 
 
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080), (640, 360)])
@@ -195,7 +195,7 @@ def test_the_time_line_stays_in_the_lower_bar(
 ) -> None:
     hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     playback = played(hand)
-    line, bar = hand.play.timeline, hand.play.stage.screen.bottom
+    line, bar = hand.play.controller.timeline, hand.play.stage.screen.bottom
     actions = ["begin", "back", "toggle", "forth", "end", "slower", "faster", "leave"]
     boxes = [line.track, *(line.button(action) for action in actions)]
     assert all(bar.contains(box) for box in boxes)
@@ -213,7 +213,7 @@ def test_the_time_line_stays_in_the_lower_bar(
         hand.press()
         hand.release()
         drawn.clear()
-        line.draw(hand.app.window.surface, playback, hand.play.session.table)
+        line.draw(hand.app.window.surface, playback, hand.play.state.session.table)
         assert len(drawn) == 6, "the rate, the clock, what the button does, the event with its numbers and balls"
         assert all(bar.contains(box) for box in drawn)
         assert all(not a.colliderect(b) for i, a in enumerate(drawn) for b in drawn[:i])
@@ -221,7 +221,7 @@ def test_the_time_line_stays_in_the_lower_bar(
 
 def test_the_mark_under_the_pointer_is_told_and_not_the_playhead(hand: Hand) -> None:
     playback = played(hand)
-    line = hand.play.timeline
+    line = hand.play.controller.timeline
     contact = next(event for event in playback.rollout.events if event.kind == "ball_ball")
     assert line.pointed(playback) is None
     hand.move((line.x_of(contact.t, playback), line.track.centery))
@@ -230,15 +230,15 @@ def test_the_mark_under_the_pointer_is_told_and_not_the_playhead(hand: Hand) -> 
 
 def test_looking_again_leaves_the_aim_and_the_game_alone(hand: Hand) -> None:
     playback = played(hand)
-    aim, position = hand.play.hands.aim, hand.play.session.match.now
+    aim, position = hand.play.state.hands.aim, hand.play.state.session.match.now
     hand.move((300, 300))
-    hand.move(hand.play.timeline.button("end").center)
+    hand.move(hand.play.controller.timeline.button("end").center)
     hand.wheel(1)
     hand.key(pygame.K_LEFT)
     hand.key(pygame.K_ESCAPE)
-    assert hand.play.playback is None
+    assert hand.play.state.playback is None
     assert playback.rollout is position.rollout
-    assert (hand.play.hands.aim, hand.play.session.match.now) == (aim, position)
+    assert (hand.play.state.hands.aim, hand.play.state.session.match.now) == (aim, position)
 
 
 def test_an_event_is_told_with_its_numbers() -> None:
@@ -293,13 +293,13 @@ def test_every_kind_of_event_has_a_title() -> None:
 
 
 def test_a_short_shot_seen_again_stays_on_its_last_moment(two: Hand) -> None:
-    two.play.hands.aim = two.play.hands.aim.with_speed(0.3)
+    two.play.state.hands.aim = two.play.state.hands.aim.with_speed(0.3)
     two.strike()
     two.key(pygame.K_r)
     for _ in range(400):
         two.app.step(FRAME)
-    shown = two.play.playback
+    shown = two.play.state.playback
     assert shown is not None and shown.ended
     two.key(pygame.K_RETURN)
     two.app.step(FRAME)
-    assert two.play.playback is None
+    assert two.play.state.playback is None

@@ -76,12 +76,12 @@ def test_opening_them_puts_the_cue_down(mine: Hand) -> None:
     mine.point(1.2, 0.7)
     mine.press()
     mine.pull(60)
-    assert mine.play.hands.busy
+    assert mine.play.state.hands.busy
     options(mine)
     mine.release()
     mine.key(pygame.K_ESCAPE)
-    assert not mine.play.hands.busy
-    assert mine.play.rollout is None
+    assert not mine.play.state.hands.busy
+    assert mine.play.state.rollout is None
 
 
 def test_a_slider_is_dragged_and_the_file_holds_it(mine: Hand, store: Store) -> None:
@@ -120,7 +120,7 @@ def test_the_guide_is_the_same_setting_in_play_and_here(mine: Hand, store: Store
     box = widget(scene, Selector, "Guide").rect
     click(mine, (box.right - 5, box.centery))
     assert store.values.aiming.guide == "off"
-    assert mine.play.level == guide.OFF
+    assert mine.play.state.show.level == guide.OFF
 
 
 def test_another_language_is_spoken_at_once(mine: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -146,7 +146,7 @@ def test_the_window_opens_in_the_language_and_at_the_guide_set_before(store: Sto
     store.turn("aiming.guide", "line")
     app = App(load_table("pool-9ft"), seed=3, store=store)
     assert words.say("form.cancel") == "Abbrechen"
-    assert app.play.level == guide.LINE
+    assert app.play.state.show.level == guide.LINE
     app.close()
     words.speak("en")
 
@@ -178,9 +178,9 @@ def test_a_key_is_bound_anew_and_the_help_shows_it(mine: Hand, store: Store) -> 
     assert action_of(pygame.K_g, 0) is None
     mine.key(pygame.K_ESCAPE)
     assert isinstance(mine.app.scene, Play)
-    level = mine.play.level
+    level = mine.play.state.show.level
     mine.key(pygame.K_h)
-    assert mine.play.level != level
+    assert mine.play.state.show.level != level
     assert ("H", words.say("help.guide")) in keys()
     store.save()
     assert store.path is not None

@@ -56,20 +56,20 @@ def test_letters_of_another_alphabet_go_by_place(hand: Hand, lay: Lay, layout: s
     lay(layout)
     press(hand, "w", layout)
     press(hand, "d", layout)
-    assert (hand.play.hands.aim.height, hand.play.hands.aim.side) == (0.05, 0.05)
+    assert (hand.play.state.hands.aim.height, hand.play.state.hands.aim.side) == (0.05, 0.05)
     press(hand, "e", layout)
-    assert hand.play.hands.aim.elevation == 1.0
+    assert hand.play.state.hands.aim.elevation == 1.0
     press(hand, "q", layout)
-    assert hand.play.hands.aim.elevation == 0.0
+    assert hand.play.state.hands.aim.elevation == 0.0
     press(hand, "v", layout)
-    assert hand.play.vectors
+    assert hand.play.state.show.vectors
 
 
 @pytest.mark.parametrize("layout", ["Russian", "Greek"])
 def test_they_do_so_before_the_layout_is_known(hand: Hand, layout: str) -> None:
     press(hand, "w", layout)
     press(hand, "v", layout)
-    assert hand.play.hands.aim.height == 0.05 and hand.play.vectors
+    assert hand.play.state.hands.aim.height == 0.05 and hand.play.state.show.vectors
     KEYBOARD.read()
 
 
@@ -77,20 +77,20 @@ def test_ctrl_with_another_alphabet(hand: Hand, lay: Lay) -> None:
     lay("Russian")
     hand.strike()
     press(hand, "z", "Russian", pygame.KMOD_CTRL)
-    assert hand.play.session.strokes == 0
+    assert hand.play.state.session.strokes == 0
 
 
 def test_on_a_french_keyboard_spin_is_around_the_left_hand(hand: Hand, lay: Lay) -> None:
     lay("French")
-    aim = hand.play.hands.aim
+    aim = hand.play.state.hands.aim
     for us, side, height in (("w", 0.0, 0.05), ("s", 0.0, 0.0), ("a", -0.05, 0.0), ("d", 0.0, 0.0)):
         press(hand, us, "French")
-        aim = hand.play.hands.aim
+        aim = hand.play.state.hands.aim
         assert (aim.side, aim.height) == pytest.approx((side, height)), us
     press(hand, "e", "French")
-    assert hand.play.hands.aim.elevation == 1.0
+    assert hand.play.state.hands.aim.elevation == 1.0
     press(hand, "q", "French")
-    assert hand.play.hands.aim.elevation == 0.0
+    assert hand.play.state.hands.aim.elevation == 0.0
     # All other letters mean what is written on them: M is where a US keyboard has a semicolon.
     press(hand, ";", "French")
     assert hand.app.store.values.sound.mute
@@ -99,7 +99,7 @@ def test_on_a_french_keyboard_spin_is_around_the_left_hand(hand: Hand, lay: Lay)
 def test_the_row_of_digits_presses_digits_on_a_french_keyboard(hand: Hand, lay: Lay) -> None:
     lay("French")
     session = begin(hand)
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(1.0).toward(1.0, 0.0)
     hand.strike()
     options = session.ask.options
     assert options
@@ -110,7 +110,7 @@ def test_the_row_of_digits_presses_digits_on_a_french_keyboard(hand: Hand, lay: 
 @pytest.mark.parametrize("key", [pygame.K_1, pygame.K_KP1])
 def test_the_keypad_presses_what_the_digits_press(hand: Hand, key: int) -> None:
     session = begin(hand)
-    hand.play.hands.aim = hand.play.hands.aim.with_speed(1.0).toward(1.0, 0.0)
+    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(1.0).toward(1.0, 0.0)
     hand.strike()
     options = session.ask.options
     hand.key(key)

@@ -1,0 +1,322 @@
+"""What events mean to the table that is played on: each is offered to one taker after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pygame
+
+from ...config.settings import GUIDES
+from ...errors import InputError
+from ...game.rules import AIM, OVER
+from ..dialogs.save_table import ask_to_save
+from ..scene import Scene
+from ..screen import Screen
+from ..stage.stage import Stage
+from ..stage.timeline import Timeline
+from ..wording.keys import KEYS, action_of, fine_step
+from ..wording.words import say
+from .call_strip import CallStrip
+from .editing import Editing
+from .positions import Positions
+from .state import PlayState, Wish
+from .tuning import Tuning
+
+Pos = tuple[int, int]
+
+_BY_HAND = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEWHEEL)
+_ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
+
+
+class Controller:
+    """Changes a state as hands ask for it; `scene` is what pages open over, `stage` where the table is on the window.
+
+    `call_strip`, `timeline` and `tuning` are what hands can take hold of beside the table.
+    """
+
+    def __init__(self, state: PlayState, stage: Stage, scene: Scene) -> None:
+        self.state = state
+        self.stage = stage
+        self.scene = scene
+        self.timeline = Timeline()
+        self.call_strip = CallStrip(state.calls)
+        self.editing = Editing(state, stage)
+        self.positions = Positions(state, scene)
+        self._tuning: Tuning | None = None
+        # Who is asked, in this order, what an event means; the first who takes it is the last.
+        self._takers: tuple[Callable[[pygame.event.Event], bool], ...] = (
+            self._panel,
+            self._notice,
+            self._strip,
+            lambda event: stage.camera.handle(event, pygame.key.get_mods()),
+            self._review,
+            self.editing.handle,
+            self._key,
+            self._pointer,
+        )
+        self._keys: dict[str, Callable[[], None]] = {
+            **state.hands.keys,
+            **state.show.keys,
+            **stage.camera.keys,
+            **self.editing.keys,
+            **self.positions.keys,
+            "strike": self._enter,
+            "guide": self._next_guide,
+            "fast": lambda: self._fast_forward(True),
+            "replay": self._replay,
+            "pause": self._pause,
+            "undo": state.undo,
+            "redo": state.redo,
+            "rack": state.rack,
+            "tune": self._tune,
+            "cancel": self._cancel,
+            "quit": lambda: state.go_to(Wish.QUIT),
+        }
+
+    @property
+    def tuning(self) -> Tuning | None:
+        """The tuning panel, while it is open over the session that is played."""
+        panel = self._tuning
+        return panel if panel is not None and panel.session is self.state.session else None
+
+    def handle(self, event: pygame.event.Event) -> None:
+        """Do what an event means."""
+        any(taker(event) for taker in self._takers)
+
+    def update(self, dt: float) -> None:
+        """Let `dt` seconds pass for what hands take hold of, and for the state."""
+        state = self.state
+        self.call_strip.follow(state.session)
+        self.call_strip.form.update(dt)
+        if self.tuning is not None:
+            self.tuning.follow(state.hands.aim.shot(state.session.cue.id))
+            self.tuning.update(dt)
+        rested = state.update(dt)
+        if rested is not None and not rested.review and state.playback is None and state.hands.pointer is not None:
+            self._move(state.hands.pointer)
+        state.give()
+
+    def lay_out(self, screen: Screen) -> None:
+        """Put the table and all that hands take hold of in their places in a window."""
+        session = self.state.session
+        panel = self.tuning.place(screen) if self.tuning is not None else 0
+        self.stage.lay_out(screen, session.table, panel)
+        self.timeline.place(screen, panel)
+        if self.state.playback is None:
+            self.call_strip.place(screen, session)
+
+    def leave(self) -> None:
+        """The hands leave the table: nothing is held any more."""
+        for form in (self.call_strip.form, *([self.tuning.form] if self.tuning is not None else [])):
+            form.let_go()
+        self._fast_forward(False)
+        self.stage.camera.let_go()
+        self.timeline.let_go()
+        self.state.in_hand.put_back()
+        self._put_down()
+
+    # The takers.
+
+    def _panel(self, event: pygame.event.Event) -> bool:
+        """The tuning panel, unless a hand is at the cue."""
+        return self.tuning is not None and not self.state.hands.busy and self.tuning.handle(event)
+
+    def _notice(self, event: pygame.event.Event) -> bool:
+        """Only look where the hands are."""
+        hands = self.state.hands
+        if self.state.playback is None and event.type in _BY_HAND:
+            hands.armed = True
+        if event.type == pygame.MOUSEMOTION:
+            hands.pointer = event.pos
+        return False
+
+    def _strip(self, event: pygame.event.Event) -> bool:
+        """The strip of calls and choices; what came of it is said."""
+        state = self.state
+        if state.playback is not None or state.hands.busy:
+            return False
+        if state.hands.guarded and event.type == pygame.KEYDOWN:
+            return False
+        moment = state.session.match.now
+        try:
+            taken = self.call_strip.handle(event, state.session)
+        except InputError as error:
+            state.messages.say(str(error))
+            return True
+        if state.session.match.now is not moment:
+            state.hands.armed = False
+            state.drop()
+            state.messages.clear()
+            state.go_to(Wish.ENDED)
+        return taken
+
+    def _review(self, event: pygame.event.Event) -> bool:
+        """The time line of a shot that is seen again."""
+        shown = self.state.playback
+        return shown is not None and shown.review and self.timeline.handle(event, shown)
+
+    def _key(self, event: pygame.event.Event) -> bool:
+        """The keys, by the names of their actions."""
+        if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
+            self._fast_forward(False)
+        if event.type != pygame.KEYDOWN:
+            return event.type == pygame.KEYUP
+        state, mod = self.state, getattr(event, "mod", 0)
+        action = action_of(event.key, mod) or ""
+        if state.playback is None and (action in _ARROWS or action in state.hands.keys):
+            state.hands.armed = True
+        if state.held is not None and action in _ARROWS:
+            # Steps of 1 cm; with Shift 2 mm, with Ctrl 20 cm.
+            dx, dy = _ARROWS[action]
+            state.in_hand.nudge(state.session, 0.2 * fine_step(mod) * dx, 0.2 * fine_step(mod) * dy)
+            state.hands.keep_aim()
+        elif action in ("turn_left", "turn_right"):
+            state.hands.turn(fine_step(mod) if action == "turn_left" else -fine_step(mod))
+        else:
+            (state.mode.keys.get(action) or self._keys.get(action, _nothing))()
+        return True
+
+    def _pointer(self, event: pygame.event.Event) -> bool:
+        """The mouse on the table and on the diagrams."""
+        if event.type == pygame.MOUSEMOTION:
+            self._move(event.pos)
+        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            self._press(event.pos)
+        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 3:
+            self._put_down()
+        elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
+            self._release(event.pos)
+        elif event.type == pygame.MOUSEWHEEL:
+            self.state.hands.turn(event.y * fine_step(pygame.key.get_mods()))
+        elif event.type == pygame.WINDOWFOCUSLOST:
+            self.leave()
+        return True
+
+    # What the mouse leads to.
+
+    def _move(self, pos: Pos) -> None:
+        state, hands = self.state, self.state.hands
+        if hands.move(pos, self.stage.screen):
+            return
+        if state.held is not None:
+            if not hands.holds(pos):
+                state.in_hand.at = self.stage.view.to_table(*pos)
+        elif not state.session.in_hand:
+            cue = state.session.cue
+            hands.point(pos, self.stage.view, cue, state.session.table.body_of(cue)[0])
+
+    def _press(self, pos: Pos) -> None:
+        state, screen = self.state, self.stage.screen
+        on_table = screen.top.bottom <= pos[1] < screen.bottom.top
+        if (on_table and state.mode.go_on()) or state.hands.grab(pos, screen):
+            return
+        self._move(pos)
+        if state.playback is None and state.session.ask.kind == OVER:
+            state.go_to(Wish.ENDED)
+        elif state.held is not None:
+            self._place()
+            # A drag carries it on from here, whether it could be put down or not.
+            self.editing.carry(pos)
+        elif state.playback is None and state.session.ask.kind == AIM and on_table:
+            state.hands.begin_pull(pos)
+
+    def _release(self, pos: Pos) -> None:
+        self._move(pos)
+        state, hands = self.state, self.state.hands
+        clicked = hands.pull is not None and hands.clicked
+        speed = hands.let_go()
+        if speed > 0.0:
+            state.strike(speed, drawn=True)
+        elif clicked:
+            # What is a pull with a drag means the ball or the pocket without.
+            state.calls.point_out(*self.stage.view.to_table(*pos), state.session)
+            hands.hold = pos
+
+    def _put_down(self) -> None:
+        if self.state.hands.pull is not None:
+            self.state.messages.show(lambda: say("play.put_down"))
+        self.state.hands.put_down()
+
+    def _place(self) -> None:
+        if not self.editing.place():
+            self.state.messages.say(self.state.in_hand.refused(self.state.session))
+
+    # What keys lead to.
+
+    def _enter(self) -> None:
+        """Skip a shot, or else go on: never both by the same press, nor by one that came a moment too late."""
+        state = self.state
+        if state.playback is not None:
+            state.playback.leave()
+        elif state.hands.guarded:
+            state.hands.rested = 0.0
+        else:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """Do what a key of the stroke does while the balls rest."""
+        state, hands = self.state, self.state.hands
+        if state.mode.go_on():
+            hands.armed = False
+        elif state.held is not None:
+            hands.armed = False
+            self._place()
+        elif hands.armed or state.session.ask.kind != AIM:
+            state.strike(hands.aim.speed)
+        else:
+            hands.armed = True
+            state.messages.show(lambda: say("play.armed", key=KEYS.shown("strike")))
+
+    def _cancel(self) -> None:
+        state, busy = self.state, self.state.hands.busy
+        if self.editing.cancel() or (not busy and state.mode.cancel()):
+            return
+        if self.tuning is None and state.playback is None and not busy:
+            state.go_to(Wish.PAUSED)
+        if not busy:
+            self._tuning = None
+        self._put_down()
+
+    def _replay(self) -> None:
+        before = self.state.playback
+        self.state.replay()
+        if self.state.playback is not before:
+            self.timeline.begin(self.state.hands.pointer)
+
+    def _pause(self) -> None:
+        """Hold the shot that runs, or the last one at its beginning."""
+        if self.state.playback is None:
+            self._replay()
+        if self.state.playback is not None:
+            self.timeline.begin(self.state.hands.pointer)
+            self.state.playback.pause()
+
+    def _fast_forward(self, fast: bool) -> None:
+        if self.state.playback is not None:
+            self.state.playback.fast = fast
+
+    def _next_guide(self) -> None:
+        show = self.state.show
+        show.level = (show.level + 1) % len(GUIDES)
+        self.state.messages.show(lambda: say("play.guide", level=say(f"choice.{GUIDES[show.level]}")))
+
+    def _tune(self) -> None:
+        state = self.state
+        if not state.may_arrange():
+            return
+        if self.tuning is None:
+            aimed = state.hands.aim.shot(state.session.cue.id)
+            self._tuning = Tuning(state.session, aimed, self._ask_name, state.open_table)
+        else:
+            self._tuning = None
+
+    def _ask_name(self) -> None:
+        def saved(path: Path) -> None:
+            self.state.messages.show(lambda: say("play.saved", path=path))
+
+        self.state.go_to(ask_to_save(self.scene, self.state.session.table, saved))
+
+
+def _nothing() -> None:
+    """What a key does that means nothing here."""

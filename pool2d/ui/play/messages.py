@@ -1,0 +1,59 @@
+"""The message line over a game: what is said at present, and what comes back once that has been read."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+Words = Callable[[], str]
+
+# How long a notice is shown before the standing words come back, s.
+_READ = 4.0
+
+
+class Messages:
+    """Words are asked for anew for every picture, as the language may change.
+
+    `standing` gives the words that are shown where there are no others, or None where nothing stands. `warning` stays
+    until what it warns of is mended, and hides all else.
+    """
+
+    def __init__(self, standing: Callable[[], Words | None]) -> None:
+        self.standing = standing
+        self.warning = ""
+        self._words: Words = _silence
+        self._age = math.inf
+
+    @property
+    def text(self) -> str:
+        """What is said at present; empty where nothing is."""
+        return self._words()
+
+    @property
+    def settled(self) -> bool:
+        """Whether nothing else is going to be said by itself."""
+        standing = self.standing()
+        return standing is None or self._words == standing
+
+    def show(self, words: Words) -> None:
+        """Say this until something else is said, or until it has been read where words stand."""
+        self._words, self._age = words, 0.0
+
+    def say(self, text: str) -> None:
+        """Show a text that is in no language, or in one for good, such as an error's."""
+        self.show(lambda: text)
+
+    def clear(self) -> None:
+        """Go back to the standing words at once."""
+        self.show(self.standing() or _silence)
+
+    def update(self, dt: float) -> None:
+        """Let `dt` seconds of reading pass."""
+        self._age += dt
+        standing = self.standing()
+        if self._age > _READ and standing is not None:
+            self._words = standing
+
+
+def _silence() -> str:
+    return ""

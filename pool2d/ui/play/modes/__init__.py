@@ -1,0 +1,1 @@
+"""The ways to play: practice, a match, a drill."""

@@ -1,0 +1,28 @@
+"""Practice: everything may be arranged, and nobody rules."""
+
+from __future__ import annotations
+
+from ...stage.playback import Playback
+from ...wording import shot_text
+from ...wording.keys import KEYS
+from ...wording.words import say
+from ..messages import Words
+from ..mode import Mode
+
+
+class PracticeMode(Mode):
+    """Strokes on a table that belongs to the player."""
+
+    may_arrange = True
+
+    @property
+    def welcome(self) -> Words:
+        return lambda: say("play.welcome", help=KEYS.shown("help"))
+
+    def at_rest(self, shown: Playback) -> Words | None:
+        if shown.again:
+            return lambda: ""
+        if self.session.in_hand or not shot_text.missed(shown.rollout):
+            cue = self.session.cue.id
+            return lambda: shot_text.outcome(shown.rollout, cue)
+        return None

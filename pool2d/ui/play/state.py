@@ -1,0 +1,317 @@
+"""What is so on a table that is played on: the session, the shot that is shown, and what is said."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from enum import Enum, auto
+from itertools import pairwise
+
+from ...draw import cue_motion, guide, theme
+from ...draw.effects import Effects
+from ...errors import BudgetError, InputError
+from ...game.aim import Aim
+from ...game.rules import OVER
+from ...game.session import Session, practice
+from ...physics.rollout import Rollout
+from ...physics.values import Ball, Layout, Shot
+from ...sound.mixer import Sounds
+from ...table.preset import load_table
+from ...table.table import Table
+from ..scene import Scene
+from ..stage.playback import Playback
+from ..stage.shown_balls import BallHistory, ShownBalls
+from ..wording import ruling_text, shot_text
+from ..wording.words import say
+from .calls import Calls
+from .foresight import Foresight
+from .hands import Hands
+from .in_hand import InHand
+from .messages import Messages
+from .mode import Mode
+from .modes.match_mode import MatchMode
+from .modes.practice_mode import PracticeMode
+
+# A shot shorter than this, s, that is seen again stays on its last moment until it is left.
+_SHORT = 4.0
+
+
+class Wish(Enum):
+    """A scene that the state asks for without knowing it: PAUSED where Esc finds nothing to put away, ENDED where a
+    shot or a choice may have ended the frame, QUIT for none any more."""
+
+    PAUSED = auto()
+    ENDED = auto()
+    QUIT = auto()
+
+
+@dataclass
+class Show:
+    """What is shown beside the balls: the options' guide `level`, `effects` and `style`, and what keys turn on."""
+
+    level: int = guide.GHOST
+    effects: Effects = field(default_factory=Effects)
+    style: theme.Style = theme.PLAIN
+    vectors: bool = False
+    geometry: bool = False
+
+    @property
+    def keys(self) -> dict[str, Callable[[], None]]:
+        """What keys do, by the names of their actions."""
+        return {"vectors": self._turn_vectors, "geometry": self._turn_geometry}
+
+    def _turn_vectors(self) -> None:
+        self.vectors = not self.vectors
+
+    def _turn_geometry(self) -> None:
+        self.geometry = not self.geometry
+
+    def take_options(self, other: Show) -> None:
+        """Show what the options say as the other does."""
+        self.level, self.effects, self.style = other.level, other.effects, other.style
+
+
+class PlayState:
+    """A session as it is played, without a window.
+
+    While `playback` is set, its shot is shown. `wish` is the scene that is to come next, None for this one. It has
+    more methods than most classes, as it is the one place where what hands, panels and menus do to a game is done.
+    """
+
+    def __init__(self, session: Session, sounds: Sounds) -> None:
+        self.session = session
+        self.sounds = sounds
+        self.playback: Playback | None = None
+        self.hands = Hands()
+        self.in_hand = InHand()
+        self.calls = Calls()
+        self.balls = BallHistory()
+        self.foresight = Foresight()
+        self.show = Show()
+        self.wish: Scene | Wish | None = None
+        self.mode = _mode_of(self)
+        self.messages = Messages(lambda: self.mode.standing)
+        self.hands.player = session.ask.player
+        self.messages.show(self.mode.welcome)
+
+    # What is so.
+
+    @property
+    def rollout(self) -> Rollout | None:
+        """The shot that is shown, if one is."""
+        return None if self.playback is None else self.playback.rollout
+
+    @property
+    def held(self) -> Ball | None:
+        """The ball that the player holds over the table, if any."""
+        return self.in_hand.held(self.session) if self.playback is None else None
+
+    @property
+    def shown_balls(self) -> ShownBalls:
+        """The balls at the moment that is shown."""
+        if self.playback is None:
+            return self.balls.at_rest(self.session.layout, self.session.rollout)
+        return self.balls.during(self.playback.rollout, self.playback.time)
+
+    @property
+    def pocketed(self) -> tuple[str, ...]:
+        """The balls that have fallen for good, as the tray shows them."""
+        return self.shown_balls.pocketed(self.session.match)
+
+    @property
+    def titles(self) -> tuple[str, str]:
+        """What the upper bar says on its left and on its right."""
+        return self.mode.titles(None if self.playback is None else self.pocketed)
+
+    def first_hit(self, shot: Shot) -> str:
+        """The ball that a shot would meet first; empty where it meets none."""
+        return self.foresight.first_hit(self.session.table, self.show.level, self.session.layout, shot)
+
+    def go_to(self, wish: Scene | Wish) -> None:
+        """Have another scene come as soon as the event that is being taken is done with."""
+        self.wish = wish
+
+    # The stroke, and its shot.
+
+    def strike(self, speed: float, drawn: bool = False) -> None:
+        """Play the shot that is aimed; `drawn` where a hand has drawn the cue back already."""
+        self.hands.put_down()
+        if self.session.ask.kind == OVER:
+            self.wish = Wish.ENDED
+            return
+        shot = self.hands.aim.shot(self.session.cue.id, speed)
+        try:
+            rollout = self.mode.play(shot, self.calls.said(self.session, self.first_hit(shot)))
+        except (InputError, BudgetError) as error:
+            self.messages.say(str(error))
+            return
+        self.run(Playback(rollout, shot, cue_motion.lead(drawn, self.show.effects)))
+        self.messages.show(lambda: say("play.miscue") if shot_text.missed(rollout) else "")
+
+    def replay(self) -> None:
+        """Show the last shot again."""
+        last = self.session.rollout
+        if last is None:
+            self.messages.show(lambda: say("play.no_shot"))
+        elif self.playback is None:
+            self.hands.put_down()
+            shown = Playback(last, self.session.shot, cue_motion.lead(False, self.show.effects), again=True)
+            # One so short would be gone before a hand is on its time line: it waits on its last moment.
+            shown.kept = shown.end < _SHORT
+            self.run(shown)
+            self.messages.show(lambda: "")
+
+    def run(self, playback: Playback) -> None:
+        """Run a shot from its beginning; without a stroke before it, the tip is heard at once."""
+        self.playback = playback
+        if playback.time == 0.0:
+            self.sounds.play_events(self.session.table, playback.rollout, -1.0, 0.0)
+
+    def update(self, dt: float) -> Playback | None:
+        """Let `dt` seconds pass; the shot that came to rest meanwhile, if one did."""
+        if self.playback is None:
+            self._change_hands()
+            self.hands.rested += dt
+            self.messages.update(dt)
+            return None
+        shown, before = self.playback, self.playback.time
+        shown.update(dt)
+        self.sounds.play_events(self.session.table, shown.rollout, before, shown.time)
+        if not shown.over:
+            return None
+        self._come_to_rest(shown)
+        return shown
+
+    def _change_hands(self) -> None:
+        """Once the shot has been seen, the next player takes the cue level, with no spin and no force set."""
+        player = self.session.ask.player
+        if player != self.hands.player and player >= 0:
+            self.hands.take_over()
+            self.hands.armed = False
+            self.hands.player = player
+
+    def _come_to_rest(self, shown: Playback) -> None:
+        """Show no shot any more, and say what came of it."""
+        self.playback = None
+        self.hands.rest(keep=shown.review)
+        if shot_text.missed(shown.rollout) and not shown.again:
+            self.sounds.chalk()
+        if (words := self.mode.at_rest(shown)) is not None:
+            self.messages.show(words)
+        if not shown.again:
+            self.wish = Wish.ENDED
+
+    # What changes the balls, the table or the session.
+
+    def begin(self, session: Session) -> None:
+        """Go over to another session, and leave the one that was played."""
+        self.drop()
+        self.session.leave()
+        self.session = session
+        self.calls.forget()
+        self.take_up(_mode_of(self))
+        self.hands.player = session.ask.player
+        self.hands.take_over()
+        self.hands.face(session.cue, session.layout)
+        last = None
+        for before, moment in pairwise(session.match.history):
+            if moment.rollout is not None:
+                self.balls.follow(before, moment.rollout, last)
+                last = moment
+
+    def take_up(self, mode: Mode) -> None:
+        """Play the session in this mode."""
+        self.mode = mode
+        self.messages.show(mode.welcome)
+
+    def undo(self) -> None:
+        """Take back what was done last."""
+        if self.mode.no_undo is not None:
+            self.messages.show(self.mode.no_undo)
+            return
+        self.drop()
+        undone = self.session.undo()
+        self.messages.show(lambda: say("play.undone") if undone else say("play.nothing_to_undo"))
+        self.wish = Wish.ENDED
+
+    def redo(self) -> None:
+        """Do again what was taken back last."""
+        self.drop()
+        redone = self.session.redo()
+        self.messages.show(lambda: say("play.redone") if redone else say("play.nothing_to_redo"))
+        self.wish = Wish.ENDED
+
+    def rack(self) -> None:
+        """Set up a new rack, or what the mode has in its place."""
+        if self.mode.rack() or not self.may_arrange():
+            return
+        self.drop()
+        self.session.rack(random.randrange(1 << 30))
+        self.hands.face(self.session.cue, self.session.layout)
+        self.messages.show(lambda: say("play.new_rack"))
+
+    def open_table(self, name: str) -> None:
+        """Go over to another preset, with a new rack; raises InputError."""
+        self.take_table(load_table(name))
+        table = self.session.table
+        self.messages.show(lambda: say("play.new_table", table=ruling_text.table_title(table)))
+
+    def take_table(self, table: Table, layout: Layout | None = None) -> None:
+        """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""
+        session = practice(table, random.randrange(1 << 30))
+        if layout is not None:
+            session.arrange(layout)
+        self.begin(session)
+
+    def change_table(self, table: Table) -> None:
+        """Play on with other parameters; raises InputError where the balls do not fit."""
+        self.session.change_table(table)
+        self.playback = None
+        self.messages.show(lambda: say("play.file_changed"))
+
+    def may_arrange(self) -> bool:
+        """Whether the mode leaves balls and table to the player; where it does not, that is said."""
+        if not self.mode.may_arrange:
+            self.messages.show(lambda: say("play.practice_only"))
+        return self.mode.may_arrange
+
+    def arrange(self, layout: Layout, shot: Shot | None = None) -> bool:
+        """Put the balls so, and aim so; False, and nothing is changed, where they cannot stand."""
+        try:
+            self.session.arrange(layout)
+        except InputError as error:
+            self.messages.say(str(error))
+            return False
+        self.drop()
+        self.aim_as(shot)
+        return True
+
+    def aim_as(self, shot: Shot | None) -> None:
+        """Aim a shot, or leave the aim as it is, until the pointer is moved."""
+        if shot is not None:
+            self.hands.aim = Aim.of(shot)
+        self.hands.keep_aim()
+
+    def drop(self) -> None:
+        """Let go of whatever is under way."""
+        self.mode.drop()
+        self.playback = None
+        self.hands.put_down()
+        self.in_hand.put_back()
+
+    def give(self) -> None:
+        """Put a cue ball that a foul has given into the hand, from where it lies: once, lest it come back by itself."""
+        now = self.session.match.now
+        if self.playback is None and not self.hands.busy and self.in_hand.given is not now:
+            self.in_hand.given = now
+            if self.session.given and not self.in_hand.ball:
+                self.in_hand.take(self.session.cue.id)
+                self.hands.keep_aim()
+
+
+def _mode_of(state: PlayState) -> Mode:
+    """How a session is played that is no drill's."""
+    if state.session.is_practice:
+        return PracticeMode(state.session)
+    return MatchMode(state.session, state.calls, state.in_hand)
