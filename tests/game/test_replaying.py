@@ -377,7 +377,7 @@ def test_a_rack_that_is_set_up_otherwise_starts_as_recorded(
 ) -> None:
     before = played(path, actions=3)
     rack = Table.rack
-    monkeypatch.setattr(Table, "rack", lambda self, name, seed=0: rack(self, name, seed + 1))
+    monkeypatch.setattr(Table, "rack", lambda self, name, seed=0, *more: rack(self, name, seed + 1, *more))
     other(engine="later")
     again = restored(load(path))
     assert stands(again.match, before)
