@@ -65,7 +65,7 @@ class Controller:
             "guide": self._next_guide,
             "fast": lambda: self._fast_forward(True),
             "replay": self._replay,
-            "pause": self._pause,
+            "pause": lambda: self._replay(hold=True),
             "undo": state.undo,
             "redo": state.redo,
             "rack": state.rack,
@@ -278,19 +278,15 @@ class Controller:
             self._tuning = None
         self._put_down()
 
-    def _replay(self) -> None:
-        before = self.state.playback
-        self.state.replay()
-        if self.state.playback is not before:
-            self.timeline.begin(self.state.hands.pointer)
-
-    def _pause(self) -> None:
-        """Hold the shot that runs, or the last one at its beginning."""
-        if self.state.playback is None:
-            self._replay()
-        if self.state.playback is not None:
-            self.timeline.begin(self.state.hands.pointer)
-            self.state.playback.pause()
+    def _replay(self, hold: bool = False) -> None:
+        """Show the last shot again; to `hold` is to do so at its beginning, or to stop the shot that runs."""
+        state, before = self.state, self.state.playback
+        if before is None or not hold:
+            state.replay()
+        if state.playback is not None and (hold or state.playback is not before):
+            self.timeline.begin(state.hands.pointer)
+            if hold:
+                state.playback.pause()
 
     def _fast_forward(self, fast: bool) -> None:
         if self.state.playback is not None:
