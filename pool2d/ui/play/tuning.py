@@ -39,7 +39,8 @@ class Tuning:
 
     `shot` and `start` are the shot that is shown again: `old` is what it did on the table that was there
     when the panel opened, `new` what it does now, `other` what it does on the table compared. `error` is
-    what is wrong with the last turn of a knob; the game's message line tells it.
+    what is wrong with the last turn of a knob; the game's message line tells it. It is larger than
+    most classes, as each widget of its pages has one method to read and one to do what it does.
     """
 
     def __init__(self, session: Session, aimed: Shot, save: Callable[[], None], go_to: Callable[[str], None]) -> None:
