@@ -16,7 +16,7 @@ from pool2d.table.position_text import Position, read, read_shot, write, write_s
 
 from ..scenes import random_shot
 
-names = st.text(min_size=1, max_size=12).filter(str.isprintable)
+names = st.text(min_size=1, max_size=12).filter(lambda name: name.isprintable() and name.strip() == name)
 places = st.floats(-100.0, 100.0)
 balls = st.builds(
     Ball,
