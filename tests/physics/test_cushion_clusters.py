@@ -9,10 +9,11 @@ import pytest
 
 from benchmarks.fuzz import play as fuzz
 from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
+from pool2d.config.knobs import apply
 from pool2d.physics import springs
 from pool2d.physics.body import Body
 from pool2d.physics.cluster import Group, solve
-from pool2d.physics.detect import Rail
+from pool2d.physics.detect import NOISE, Rail
 from pool2d.physics.laws.registry import CUSHION_LAWS
 from pool2d.physics.materials import materials
 from pool2d.physics.params import CushionKnobs, Physics
@@ -181,3 +182,25 @@ def test_a_ball_squeezed_by_a_dead_cushion_comes_to_an_end() -> None:
     result = fuzz(TABLE.with_knobs(knobs), 5, 189)
     assert result.faults == []
     assert result.events < 2000
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.9])
+@pytest.mark.parametrize(("half", "friction"), [(3.0, 0.2), (6.0, 0.2), (15.0, 0.5), (15.0, 0.2), (40.0, 0.5)])
+def test_a_ball_driven_into_a_wedge_stays_where_friction_holds_it(
+    half: float, friction: float, restitution: float
+) -> None:
+    """It holds itself where the wedge is narrower than the angle of friction, and comes out of a wider one."""
+    turn = math.radians(half)
+    walls = [
+        Rail("upper", math.cos(turn), 0.0, 0.0, math.sin(turn)),
+        Rail("lower", 0.0, -math.sin(turn), math.cos(turn), 0.0),
+    ]
+    ball = Body(Ball("1", 0.0, 0.0, 0.05, 0.0, 30.0, -40.0, 5.0), 0, RADIUS, 0.17)
+    before = ball.energy()
+    knobs: dict[str, object] = {"cushion.restitution": restitution, "cushion.friction": friction}
+    group = Group([], [(ball, wall, 0.0) for wall in walls])
+    solve(group, 0.05 * math.sin(turn), materials(apply(Physics(), knobs, "test")))
+    closing = [ball.vx * nx + ball.vy * ny for nx, ny in (wall.normal(0.0, 0.0) for wall in walls)]
+    assert max(closing) <= NOISE
+    assert (ball.vx == 0.0) == (math.tan(turn) < friction)
+    assert ball.energy() <= before

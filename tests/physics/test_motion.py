@@ -145,3 +145,14 @@ def test_pocketed_ball_stays() -> None:
     motion = pocketed(body, 2.0)
     assert motion.at(2.0) == motion.at(9.0)
     assert motion.at(9.0) == Ball("cue", 1.0, 0.5, phase=POCKETED)
+
+
+@pytest.mark.parametrize("spin", [1e-20, -8e-9, 3e-8])
+def test_a_spin_of_dust_is_none(spin: float) -> None:
+    """What rounding leaves of a spin must not be a phase with an end of its own: a mirrored ball may lack it."""
+    body, motion = begin(wz=spin)
+    assert (motion.phase, motion.t1, body.wz) == (RESTING, math.inf, 0.0)
+
+
+def test_a_small_spin_is_one() -> None:
+    assert begin(wz=1e-6)[1].phase == SPINNING
