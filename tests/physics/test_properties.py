@@ -58,7 +58,9 @@ def test_balls_that_meet_keep_their_momentum(play: Play, table: Table) -> None:
     assume(meetings)
     for event in meetings:
         # A slip or speed below STILL after it is nought: that much the cloth takes of a ball that rolls or rests.
-        taken = sum(STILL * table.body_of(layout[ball.id])[1] for ball in event.after.values() if ball.phase != "sliding")
+        taken = sum(
+            STILL * table.body_of(layout[ball.id])[1] for ball in event.after.values() if ball.phase != "sliding"
+        )
         for part in ("vx", "vy"):
             before, after = (
                 sum(table.body_of(layout[name])[1] * getattr(ball, part) for name, ball in balls.items())

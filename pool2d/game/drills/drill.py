@@ -10,9 +10,9 @@ from typing import NamedTuple
 from ...physics.rollout import Rollout
 from ...physics.values import POCKETED, Layout, Shot
 from ...table.table import Table
-from ..referee import observe as report_of
+from ..referee import observe
 from ..rules.report import BALL, POCKET, RAIL, Report
-from ..rules.spotting import nearest, put
+from ..rules.spotting import near_spot, put
 
 ANY = "any"
 # What a stroke may fail to do; the words for each are the window's.
@@ -147,7 +147,7 @@ def start(drill: Drill) -> Standing:
 def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
     """What a stroke makes of an attempt: one step further, or over."""
     step = drill.steps[standing.done]
-    report, layout = report_of(drill.table, rollout), rollout.layout()
+    report, layout = observe(drill.table, rollout), rollout.layout()
     missed = faults(drill.table, step, report, layout)
     if missed:
         return Standing(layout, standing.done, missed, over=True)
@@ -162,14 +162,14 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
 
 def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
     """What a stroke failed to do of a step: one of MISSES; "" where it did all."""
-    fell = [pot.ball for pot in report.pots if _is(table, pot.ball, step.pot) and step.pocket in ("", pot.pocket)]
+    fell = [pot.ball for pot in report.pots if _fits(table, pot.ball, step.pot) and step.pocket in ("", pot.pocket)]
     struck = [c.other for c in report.of(report.cue) if c.kind == BALL]
     checks = {
         "cue_fell": not report.cue_gone,
-        "wrong_first": not step.first or any(_is(table, b, step.first) for b in report.first),
+        "wrong_first": not step.first or any(_fits(table, b, step.first) for b in report.first),
         "not_potted": not step.pot or len(fell) >= step.least,
         "few_banks": not step.banks or _banks(report, fell[:1]) >= step.banks,
-        "not_all_hit": all(any(_is(table, b, wanted) for b in struck) for wanted in step.hits),
+        "not_all_hit": all(any(_fits(table, b, wanted) for b in struck) for wanted in step.hits),
         "few_rails": _rails(table, report, step.hits) >= step.rails,
         "cushion_met": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
         "wrong_way": set(step.via) <= {c.other for c in report.of(report.cue)},
@@ -179,7 +179,7 @@ def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
     return next((miss for miss, good in checks.items() if not good), "")
 
 
-def _is(table: Table, ball: str, wanted: str) -> bool:
+def _fits(table: Table, ball: str, wanted: str) -> bool:
     """Whether a ball is the one, or of the group, that is wanted."""
     return wanted in (ANY, ball) or ball in table.furniture.groups.get(wanted, ())
 
@@ -191,7 +191,7 @@ def _rails(table: Table, report: Report, hits: tuple[str, ...]) -> int:
         if contact.kind == RAIL:
             count += 1
         elif contact.kind == BALL:
-            left = [wanted for wanted in left if not _is(table, contact.other, wanted)]
+            left = [wanted for wanted in left if not _fits(table, contact.other, wanted)]
             if not left:
                 return count
     return count if not hits else 0
@@ -210,6 +210,6 @@ def _spotted(table: Table, layout: Layout, balls: tuple[str, ...]) -> Layout:
     """The layout with balls back where their rack has them, as near as there is room; others stay off."""
     for ball in balls:
         place = next((rack.placed[ball] for rack in table.furniture.racks.values() if ball in rack.placed), None)
-        spot = place and (nearest(table, layout, ball, place, 1) or nearest(table, layout, ball, place, -1))
+        spot = place and near_spot(table, layout, ball, place)
         layout = put(layout, ball, spot) if spot else layout
     return layout

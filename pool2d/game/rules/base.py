@@ -17,12 +17,11 @@ from ...errors import InputError
 from ...physics.values import POCKETED, Layout
 from ...table.furniture import Rack
 from ...table.furniture_file import read_rack
-from ...table.outline import Point
 from ...table.table import Table
 from .notes import Note
 from .report import Report
 from .ruling import AIM, CHOOSE, OVER, PLACE, Ask, Asked, Choice, Ruling, State, read_value
-from .spotting import AREAS, Where, may_place, put, within
+from .spotting import AREAS, Spotted, Where, may_place, put, within
 
 # What an option may be that is on or off.
 YES_NO = ("yes", "no")
@@ -189,7 +188,7 @@ class Rules(Generic[S]):
         layout: Layout,
         *notes: Note,
         fouls: tuple[Note, ...] = (),
-        spotted: tuple[tuple[str, Point], ...] = (),
+        spotted: Spotted = (),
         points: tuple[int, ...] = (),
     ) -> Ruling:
         """A ruling whose notes tell of the fouls, what else happened and what is next."""

@@ -11,9 +11,8 @@ from typing import Any, Final, Literal, NamedTuple, TypeAlias, TypedDict
 
 from ...errors import InputError, suggest
 from ...physics.values import Layout
-from ...table.outline import Point
 from .notes import Note
-from .spotting import Where
+from .spotting import Spotted, Where
 
 # What is called otherwise in JSON than here.
 WRITTEN = {"player": "who"}
@@ -119,7 +118,7 @@ class Ruling(NamedTuple):
     layout: Layout
     notes: tuple[Note, ...] = ()
     fouls: tuple[Note, ...] = ()
-    spotted: tuple[tuple[str, Point], ...] = ()
+    spotted: Spotted = ()
     points: tuple[int, ...] = (0, 0)
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Final, Literal, TypeAlias
 
 from ...physics.values import Layout
@@ -16,6 +16,8 @@ ANYWHERE: Final = "anywhere"
 KITCHEN: Final = "kitchen"
 D: Final = "d"
 AREAS: Mapping[Where, str] = {ANYWHERE: "anywhere on the table", KITCHEN: "behind the head string", D: "in the D"}
+# Balls that were put back on the table, and where each went, m.
+Spotted: TypeAlias = tuple[tuple[str, Point], ...]
 # What is left between a spotted ball and one it must not overlap, m: more than rounding, less than can be seen.
 HAIR = 1e-9
 # What is left to a ball that must not be touched, m.
@@ -76,28 +78,41 @@ def nearest(
     return None
 
 
-def on_long_string(table: Table, layout: Layout, ball: str, spot: str = "foot") -> Point | None:
-    """Where a ball is spotted on the long string: the spot, or below it, or above it, as near as may be.
+def near_spot(
+    table: Table, layout: Layout, ball: str, spot: Point, clear: frozenset[str] = frozenset()
+) -> Point | None:  # fmt: skip
+    """Where a ball is put that belongs on a spot: there, or below it, or, where there is no room, above it.
 
-    WPA 1.5: in contact with object balls in the way where possible, but not with the cue ball.
+    It is as near as may be on the line through the spot along the table. Balls in the way are touched, those in `clear`
+    nearly. None where there is no room at all.
     """
-    place = table.furniture.spots.get(spot) or _mirrored(table)
-    clear = frozenset({table.furniture.cue})
-    return nearest(table, layout, ball, place, 1, clear) or nearest(table, layout, ball, place, -1, clear)
+    return nearest(table, layout, ball, spot, 1, clear) or nearest(table, layout, ball, spot, -1, clear)
 
 
-def spot_balls(table: Table, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
-    """The layout with balls spotted on the long string in the given order, and where each went."""
+def foot_spot(table: Table) -> Point:
+    """The foot spot; of a table that names none, as far from the foot as the head spot from the head."""
+    x, y = table.furniture.spots["head"]
+    return table.furniture.spots.get("foot") or (table.knobs.table.length - x, y)
+
+
+def spot_balls(
+    table: Table,
+    layout: Layout,
+    balls: Iterable[str],
+    spot: Point | None = None,
+    clear: frozenset[str] | None = None,
+) -> tuple[Layout, Spotted]:
+    """The layout with balls put near a spot in the given order, and where each went; those without room stay off.
+
+    Without a `spot` that is the foot spot. Without `clear` only the cue ball must not be touched: WPA 1.5, in contact
+    with object balls in the way where possible, but not with the cue ball.
+    """
+    place = foot_spot(table) if spot is None else spot
+    apart = frozenset({table.furniture.cue}) if clear is None else clear
     spotted: list[tuple[str, Point]] = []
     for ball in balls:
-        place = on_long_string(table, layout, ball)
-        if place is not None:
-            layout = put(layout, ball, place)
-            spotted.append((ball, place))
+        found = near_spot(table, layout, ball, place, apart)
+        if found is not None:
+            layout = put(layout, ball, found)
+            spotted.append((ball, found))
     return layout, tuple(spotted)
-
-
-def _mirrored(table: Table) -> Point:
-    """A foot spot for a table that names none: as far from the foot as the head spot from the head."""
-    x, y = table.furniture.spots["head"]
-    return table.knobs.table.length - x, y

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from pool2d import Ball, Layout, load_table
-from pool2d.game.rules.spotting import CLEAR, KITCHEN, D, Where, nearest, on_long_string, spot_balls, within
+from pool2d.game.rules.spotting import CLEAR, KITCHEN, D, Where, nearest, spot_balls, within
 from pool2d.physics.values import POCKETED
 
 TABLE, SNOOKER = load_table("pool-9ft"), load_table("snooker-12ft")
@@ -17,8 +17,8 @@ DOWN = Ball("9", 0.0, 0.0, phase=POCKETED)
 
 
 def spot(*others: Ball) -> tuple[float, float]:
-    place = on_long_string(TABLE, Layout([DOWN, *others]), "9")
-    assert place is not None
+    _, ((ball, place),) = spot_balls(TABLE, Layout([DOWN, *others]), ("9",))
+    assert ball == "9"
     return place
 
 
@@ -56,9 +56,18 @@ def test_balls_are_spotted_one_after_the_other() -> None:
     TABLE.settle(layout)
 
 
-def test_no_room_at_all() -> None:
-    row = [Ball(str(i), 0.05 + i * 0.99 * TWO_R, Y) for i in range(44)]
-    assert nearest(TABLE, Layout([DOWN, *row]), "9", (X, Y), 1) is None
+def test_a_ball_without_room_stays_off() -> None:
+    layout = Layout([DOWN, *(Ball(f"red{i}", 0.05 + i * 0.99 * TWO_R, Y) for i in range(44))])
+    assert nearest(TABLE, layout, "9", (X, Y), 1) is None
+    assert spot_balls(TABLE, layout, ("9",)) == (layout, ())
+
+
+def test_another_spot_and_balls_that_must_not_be_touched() -> None:
+    other, layout = (X - 0.4, Y), Layout([DOWN, Ball("1", X - 0.4, Y)])
+    _, ((_, touching),) = spot_balls(TABLE, layout, ("9",), other)
+    _, ((_, apart),) = spot_balls(TABLE, layout, ("9",), other, frozenset(layout))
+    assert touching == pytest.approx((X - 0.4 + TWO_R, Y), abs=1e-8)
+    assert apart == pytest.approx((X - 0.4 + TWO_R + CLEAR, Y), abs=1e-8)
 
 
 @pytest.mark.parametrize(

@@ -11,13 +11,12 @@ from typing import ClassVar
 
 from ....config.knobs import choice, knob
 from ....physics.values import POCKETED, Layout
-from ....table.outline import Point
-from ..base import Options, Rules
+from ..base import YES_NO, Options, Rules
 from ..notes import Note
-from ..pool.pool import added, changed, points, score_notes
 from ..report import BALL, FROZEN, RAIL, Report
 from ..ruling import Ruling, State
-from ..spotting import put
+from ..scores import added, changed, points, score_notes
+from ..spotting import Spotted, put
 
 RED = "red"
 # Which of a player's starting spots is offered instead of the other.
@@ -30,7 +29,7 @@ class CaromOptions(Options):
 
     points: float = knob(40.0, 1.0, 1000.0, "", "points that end the match")
     innings: float = knob(0.0, 0.0, 500.0, "", "innings that end the match; 0 for no limit")
-    equal: str = choice("yes", ("yes", "no"), "whether the second player has as many innings as the first")
+    equal: str = choice("yes", YES_NO, "whether the second player has as many innings as the first")
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +163,7 @@ class Carom(Rules[CaromState]):
 
     def missed(self, report: Report) -> Note:
         """Why a stroke without foul was no point."""
-        met = _met(report)
+        met = balls_met(report)
         return Note("missed.one", ball=self.spoken(met[0])) if met else Note("missed.none")
 
     def _before_red(self, report: Report) -> bool:
@@ -173,7 +172,7 @@ class Carom(Rules[CaromState]):
 
     def cannon(self, report: Report) -> bool:
         """Art. 24: whether the cue ball touched both other balls."""
-        return len(set(_met(report))) == 2
+        return len(set(balls_met(report))) == 2
 
     def touching(self, state: CaromState, layout: Layout, player: int) -> tuple[str, ...]:
         """The balls that touch a player's cue ball."""
@@ -185,9 +184,7 @@ class Carom(Rules[CaromState]):
             and (ball.x - cue.x) ** 2 + (ball.y - cue.y) ** 2 <= (self.table.touch(cue, ball) + FROZEN) ** 2
         )
 
-    def spot(
-        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
-    ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(self, state: CaromState, layout: Layout, player: int, balls: Collection[str]) -> tuple[Layout, Spotted]:
         """Art. 27 (4): balls on their spots before a player's stroke."""
         raise NotImplementedError
 
@@ -234,5 +231,6 @@ def cushions_before_last(report: Report) -> int:
     return cushions
 
 
-def _met(report: Report) -> tuple[str, ...]:
+def balls_met(report: Report) -> tuple[str, ...]:
+    """The balls that the cue ball met, in their order; one as often as it was met."""
     return tuple(contact.other for contact in report.of(report.cue) if contact.kind == BALL)

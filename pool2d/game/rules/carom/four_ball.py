@@ -13,11 +13,11 @@ from ....physics.values import Layout
 from ....table.outline import Point
 from ..base import YES_NO
 from ..notes import Note
-from ..pool.pool import added, points
-from ..report import BALL, Report
+from ..report import Report
 from ..ruling import Ruling
-from ..spotting import has_room, put
-from .carom import RED, Carom, CaromOptions, CaromState, cushions_before_last
+from ..scores import added, points
+from ..spotting import Spotted, has_room, put
+from .carom import RED, Carom, CaromOptions, CaromState, balls_met, cushions_before_last
 
 FAR = "red2"
 REDS = (RED, FAR)
@@ -83,7 +83,7 @@ class FourBall(Carom):
 
     def cannon(self, report: Report) -> bool:
         """Whether the cue ball met both reds."""
-        return set(REDS) <= set(_met(report))
+        return set(REDS) <= set(balls_met(report))
 
     def fouls(self, state: CaromState, report: Report) -> Iterator[Note]:
         """What costs a point: to meet the opponent's ball, or no red; to push a ball that touches; balls that leave."""
@@ -91,7 +91,7 @@ class FourBall(Carom):
             yield Note("foul.cue-off")
         for ball in report.off:
             yield Note("foul.off", ball=ball)
-        met = _met(report)
+        met = balls_met(report)
         other = self.ball_of(state, self.other(state.ask.player))
         if other in met:
             yield Note("foul.other-ball", ball=other)
@@ -110,9 +110,7 @@ class FourBall(Carom):
         """The player has to play away from a ball that touches."""
         return self.ruled(self.aim(state, player), layout, *notes)
 
-    def spot(
-        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
-    ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(self, state: CaromState, layout: Layout, player: int, balls: Collection[str]) -> tuple[Layout, Spotted]:
         """Balls that left the table go where they began, or on the next spot that is free."""
         spots, homes = self.table.furniture.spots, self._homes(state, player)
         spotted: list[tuple[str, Point]] = []
@@ -127,8 +125,3 @@ class FourBall(Carom):
         """The spots on which the balls begin."""
         mine, other = self.ball_of(state, player), self.ball_of(state, self.other(player))
         return {RED: "head", FAR: "foot", mine: "right", other: "far"}
-
-
-def _met(report: Report) -> tuple[str, ...]:
-    """The balls that the cue ball met, in their order."""
-    return tuple(contact.other for contact in report.of(report.cue) if contact.kind == BALL)

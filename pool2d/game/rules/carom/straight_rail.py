@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 
 from ....config.knobs import choice, knob
 from ....physics.values import Layout
-from ....table.outline import Point
+from ..base import YES_NO
 from ..corners import corner_of
 from ..notes import Note
 from ..report import Report
 from ..ruling import Ruling
+from ..spotting import Spotted
 from .carom import Carom, CaromOptions, CaromState
 
 # How often a player may score on balls that are, and stay, in one corner.
@@ -23,7 +24,7 @@ class StraightRailOptions(CaromOptions):
     """What may be set about straight rail."""
 
     points: float = knob(100.0, 1.0, 1000.0, "", "points that end the match")
-    corners: str = choice("yes", ("yes", "no"), "whether scoring in the corners is limited")
+    corners: str = choice("yes", YES_NO, "whether scoring in the corners is limited")
 
 
 class StraightRail(Carom):
@@ -72,9 +73,7 @@ class StraightRail(Carom):
         now: CaromState = ruling.state  # type: ignore[assignment]
         return ruling._replace(state=replace(now, zone=-1))
 
-    def spot(
-        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
-    ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(self, state: CaromState, layout: Layout, player: int, balls: Collection[str]) -> tuple[Layout, Spotted]:
         """Art. 27 (4) (a), 28: all three balls to the starting position."""
         layout = self.set_up(state, layout, player)
         return layout, tuple((ball.id, (ball.x, ball.y)) for ball in layout.values())

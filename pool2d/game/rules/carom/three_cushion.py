@@ -9,7 +9,7 @@ from ....physics.values import Layout
 from ....table.outline import Point
 from ..notes import Note
 from ..report import Report
-from ..spotting import has_room, put
+from ..spotting import Spotted, has_room, put
 from .carom import RED, Carom, CaromState, cushions_before_last
 
 # How many cushions a point needs before the second ball.
@@ -31,9 +31,7 @@ class ThreeCushion(Carom):
         """How many cushions there were, where both balls were met."""
         return Note(f"cushions.{cushions_before_last(report)}") if self.cannon(report) else super().missed(report)
 
-    def spot(
-        self, state: CaromState, layout: Layout, player: int, balls: Collection[str]
-    ) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(self, state: CaromState, layout: Layout, player: int, balls: Collection[str]) -> tuple[Layout, Spotted]:
         """Art. 27 (4) (b): the red on the foot spot, the player's ball on the head, the opponent's on the centre.
 
         Only the balls that touch are moved, or those that left the table (28). Where a spot is occupied, a ball goes

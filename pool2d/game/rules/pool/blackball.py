@@ -11,14 +11,14 @@ from dataclasses import dataclass, replace
 
 from ....config.knobs import choice
 from ....physics.values import POCKETED, Layout
-from ....table.outline import Point
 from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import BALL, Report
 from ..ruling import Ruling, State
+from ..scores import changed
 from ..sight import sees
-from ..spotting import KITCHEN, spot_balls
-from .pool import PoolRules, changed
+from ..spotting import KITCHEN, Spotted, spot_balls
+from .pool import PoolRules
 
 BLACK = "black"
 RED, YELLOW = "red", "yellow"
@@ -177,7 +177,7 @@ class Blackball(PoolRules[BlackballState]):
         state: BlackballState,
         layout: Layout,
         fouls: tuple[Note, ...],
-        spotted: tuple[tuple[str, Point], ...],
+        spotted: Spotted,
         *options: str,
     ) -> Ruling:
         """5.1, 5.10: the opponent has a free shot, from where the cue ball lies or from baulk, and then a visit."""

@@ -9,14 +9,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from ....physics.values import POCKETED, Layout
-from ....table.outline import Point
 from ..notes import Note
 from ..report import BALL, Report
 from ..ruling import AIM, Ruling, State
+from ..scores import changed
 from ..sight import sees, snookered
-from ..spotting import KITCHEN, Where, nearest, put
+from ..spotting import KITCHEN, Spotted, Where, spot_balls
 from ..vantage import vantage
-from .pool import DRIVEN, PoolRules, changed, driven
+from .pool import DRIVEN, PoolRules, driven
 
 BLACK = "black"
 RED, YELLOW = "red", "yellow"
@@ -187,9 +187,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
         reason = "loss.black-foul" if BLACK in on else "loss.black-early"
         return self.ruled(self.ended(state, self.other(player)), layout, Note(reason, player), fouls=fouls)
 
-    def _fouled(
-        self, state: EnglishState, layout: Layout, fouls: tuple[Note, ...], spotted: tuple[tuple[str, Point], ...]
-    ) -> Ruling:
+    def _fouled(self, state: EnglishState, layout: Layout, fouls: tuple[Note, ...], spotted: Spotted) -> Ruling:
         """K: the opponent has two visits."""
         opponent = self.other(state.ask.player)
         state = replace(state, visits=2, trial="")
@@ -201,7 +199,7 @@ class EnglishEightBall(PoolRules[EnglishState]):
         layout: Layout,
         player: int,
         fouls: tuple[Note, ...] = (),
-        spotted: tuple[tuple[str, Point], ...] = (),
+        spotted: Spotted = (),
         notes: tuple[Note, ...] = (),
     ) -> Ruling:
         """The turn after a foul: from baulk (E) where the cue ball is off the table, and P.
@@ -244,20 +242,11 @@ class EnglishEightBall(PoolRules[EnglishState]):
         groups = changed((other, other), player, color)
         return replace(state, groups=groups, trial=""), (Note(f"group.{color}", player),)
 
-    def spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, Spotted]:
         """S: balls off the table go on the spot, or behind it without touching another: the black, reds, yellows."""
-        spotted: list[tuple[str, Point]] = []
         order = [BLACK, *(ball for color in (RED, YELLOW) for ball in self.table.furniture.groups[color])]
-        for ball in sorted(balls, key=order.index):
-            spot = self.table.furniture.spots[BLACK]
-            every = frozenset(layout)
-            place = nearest(self.table, layout, ball, spot, 1, every) or nearest(
-                self.table, layout, ball, spot, -1, every
-            )
-            if place is not None:
-                layout = put(layout, ball, place)
-                spotted.append((ball, place))
-        return layout, tuple(spotted)
+        spot = self.table.furniture.spots[BLACK]
+        return spot_balls(self.table, layout, sorted(balls, key=order.index), spot, clear=frozenset(layout))
 
     def next_note(self, state: EnglishState) -> Note:
         note = super().next_note(state)

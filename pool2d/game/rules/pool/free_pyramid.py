@@ -9,13 +9,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ....physics.values import POCKETED, Layout
-from ....table.outline import Point
 from ..base import Rules
 from ..notes import Note
 from ..report import Report
 from ..ruling import AIM, Ask, Ruling, State
-from ..spotting import KITCHEN, nearest, put
-from .pool import added, points, score_notes
+from ..scores import added, points, score_notes
+from ..spotting import KITCHEN, Spotted, spot_balls
 
 # 1: the points that win.
 TARGET = 8
@@ -110,15 +109,7 @@ class FreePyramid(Rules[State]):
         ball = next((ball for ball in (struck, self.table.furniture.cue) if ball in balls), balls[0])
         return replace(state, turn=player, ask=Ask(AIM, player, ball, on=balls, cues=balls))
 
-    def _spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+    def _spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, Spotted]:
         """General rules: on the foot spot or behind it on the long string, touching nothing; else before it."""
-        spotted: list[tuple[str, Point]] = []
-        spot, every = self.table.furniture.spots["foot"], frozenset(layout)
-        for ball in (ball for ball in balls if layout[ball].phase == POCKETED):
-            place = nearest(self.table, layout, ball, spot, 1, every) or nearest(
-                self.table, layout, ball, spot, -1, every
-            )
-            if place is not None:
-                layout = put(layout, ball, place)
-                spotted.append((ball, place))
-        return layout, tuple(spotted)
+        down = [ball for ball in balls if layout[ball].phase == POCKETED]
+        return spot_balls(self.table, layout, down, self.table.furniture.spots["foot"], clear=frozenset(layout))

@@ -11,15 +11,15 @@ from typing import Any
 
 from ....config.knobs import choice, knob
 from ....physics.values import Layout
-from ....table.outline import Point
 from ....table.table import Table
 from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import Report
 from ..ruling import Ruling, State
-from ..spotting import KITCHEN, Where, spot_balls
+from ..scores import changed
+from ..spotting import KITCHEN, Spotted, Where, spot_balls
 from .fouls import seen
-from .pool import PoolRules, changed, gone
+from .pool import PoolRules, gone
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +89,7 @@ class OnePocket(PoolRules[OnePocketState]):
         for player in (shooter, opponent):
             if len(state.held[player]) - state.owed[player] >= self.options.target:
                 return self._told(before, self.ended(state, player), layout, *notes, fouls=fouls)
-        spotted: tuple[tuple[str, Point], ...] = ()
+        spotted: Spotted = ()
         if not mine or not self.on_table(layout):
             # Spotting comes at the end of an inning, or when the table is empty.
             state, back = _due(state)

@@ -10,9 +10,10 @@ from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import Report
 from ..ruling import Ruling, State
+from ..scores import added, points, score_notes
 from ..spotting import KITCHEN, Where, spot_balls
 from .fouls import seen
-from .pool import PoolRules, added, driven, gone, points, score_notes
+from .pool import PoolRules, driven, gone
 from .rerack import rerack
 
 # What a breaking foul, a foul, and the third in a row cost (7.9 to 7.11).

@@ -10,14 +10,13 @@ from typing import Literal
 from ....config.knobs import choice
 from ....errors import InputError
 from ....physics.values import POCKETED, Layout
-from ....table.outline import Point
 from ..base import Options, Rules
 from ..notes import Note
-from ..pool.pool import added, points, score_notes
 from ..report import Report
 from ..ruling import CallKind, Ruling, State
+from ..scores import added, points, score_notes
 from ..sight import sees, sees_full, snookered
-from ..spotting import D, Where, put
+from ..spotting import D, Spotted, Where, put
 from ..vantage import vantage
 from .snooker_fouls import (
     COLOR,
@@ -167,7 +166,7 @@ class Snooker(Rules[SnookerState]):
         report: Report,
         aim: Target,
         found: tuple[Foul, ...],
-        spotted: tuple[tuple[str, Point], ...],
+        spotted: Spotted,
         last: bool,
     ) -> Ruling:
         """3.11: the opponent scores, and says who plays; 3.14: from where."""
@@ -235,7 +234,7 @@ class Snooker(Rules[SnookerState]):
         change: tuple[int, ...],
         notes: tuple[Note, ...],
         told_of: tuple[Note, ...] = (),
-        spotted: tuple[tuple[str, Point], ...] = (),
+        spotted: Spotted = (),
     ) -> Ruling:
         """3.4 (a): a score or a foul at the last black ends the frame. (b): but not a tie."""
         first, second = state.scores

@@ -9,7 +9,7 @@ from ....physics.values import Layout
 from ....table.outline import Point
 from ....table.table import Table
 from ..report import FROZEN
-from ..spotting import nearest, put
+from ..spotting import Spotted, near_spot, put
 
 # By value, from 2 to 7.
 COLORS = ("yellow", "green", "brown", "blue", "pink", "black")
@@ -20,7 +20,7 @@ def value(ball: str) -> int:
     return COLORS.index(ball) + 2 if ball in COLORS else 1
 
 
-def spot_colors(table: Table, layout: Layout, balls: Iterable[str]) -> tuple[Layout, tuple[tuple[str, Point], ...]]:
+def spot_colors(table: Table, layout: Layout, balls: Iterable[str]) -> tuple[Layout, Spotted]:
     """The layout with colours spotted, and where each went.
 
     3.7: each on its own spot. Those whose spots are occupied go, the highest value first (e), on the spot of
@@ -50,8 +50,7 @@ def _elsewhere(table: Table, layout: Layout, ball: str) -> Point | None:
     for other in reversed(COLORS):
         if _free(table, layout, ball, spot_of(table, other)):
             return spot_of(table, other)
-    own, every = spot_of(table, ball), frozenset(layout)
-    return nearest(table, layout, ball, own, 1, every) or nearest(table, layout, ball, own, -1, every)
+    return near_spot(table, layout, ball, spot_of(table, ball), clear=frozenset(layout))
 
 
 def _free(table: Table, layout: Layout, ball: str, spot: Point) -> bool:
