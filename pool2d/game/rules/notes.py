@@ -134,7 +134,7 @@ class Note:
         return {"key": self.key, "player": self.player, "ball": self.ball, "points": self.points}
 
 
-def called(ball: str) -> str:
+def ball_name(ball: str) -> str:
     """What a ball is called: of many alike, such as red7, the number is of no interest."""
     if ball.isdigit():
         return ball
@@ -146,15 +146,15 @@ def say(
     note: Note,
     names: Sequence[str] = ("Player 1", "Player 2"),
     words: Mapping[str, str] = ENGLISH,
-    called: Callable[[str], str] = called,
+    name_ball: Callable[[str], str] = ball_name,
 ) -> str:
-    """A note as a sentence; `called` names balls."""
+    """A note as a sentence; `name_ball` says what a ball is called."""
     player = names[note.player] if 0 <= note.player < len(names) else ""
-    text = words[note.key].format(player=player, ball=called(note.ball), points=note.points)
+    text = words[note.key].format(player=player, ball=name_ball(note.ball), points=note.points)
     return text[:1].upper() + text[1:] + "."
 
 
-def label(key: str, words: Mapping[str, str] = ENGLISH, called: Callable[[str], str] = str) -> str:
-    """What an option is called; `called` names what it is about."""
+def label(key: str, words: Mapping[str, str] = ENGLISH, name_it: Callable[[str], str] = str) -> str:
+    """What an option is called; `name_it` says what that is called which it is about."""
     name, _, what = key.partition(":")
-    return words[f"choice.{name}"].format(what=called(what))
+    return words[f"choice.{name}"].format(what=name_it(what))

@@ -87,7 +87,7 @@ def _template(key: str) -> dict[str, str]:
 
 
 def ball(name: str) -> str:
-    """What a ball is called in a sentence, as by the rules' `called`: one of many alike has no number."""
+    """What a ball is called in a sentence, as by the rules' `ball_name`: one of many alike has no number."""
     if name.isdigit():
         return say("ball.numbered", number=name)
     return ball_name("white" if name == "cue" else name.rstrip(digits), "cue")

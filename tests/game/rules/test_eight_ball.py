@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from pool2d.game.rules import Choice
-from pool2d.game.rules.pool.eight_ball import EightBallState
+from pool2d.game.rules.pool.pool import GroupsState
 
 from .cases import POOL, Case, judged, line, rules_of
 
@@ -36,7 +36,7 @@ def test_choice_after_the_break(clause: str, shot: str, key: str, ruling: str, l
 def test_a_group_gives_the_balls_on() -> None:
     """4.5: one's own group, and the eight when it is gone."""
     layout = RULES.start().layout
-    state = EightBallState(groups=("solid", "stripe"), shots=3)
+    state = GroupsState(groups=("solid", "stripe"), shots=3)
     assert set(RULES.on(state, layout, 0)) == set("1234567")
     assert set(RULES.on(state, layout.without(*"1234567"), 0)) == {"8"}
     assert set(RULES.on(state, layout, 1)) == {"9", "10", "11", "12", "13", "14", "15"}
@@ -46,7 +46,7 @@ def test_a_ball_behind_the_head_string_may_be_spotted() -> None:
     """1.6: with the cue ball in the kitchen and no ball on beyond the line, the nearest may be spotted."""
     layout = RULES.start().layout.without("11", "12", "13", "14", "15")
     layout = layout.put(*(layout[ball]._replace(x=x, y=0.3) for ball, x in (("9", 0.6), ("10", 0.3))))
-    state = RULES.next(EightBallState(groups=("solid", "stripe"), shots=3), layout, 1, "kitchen")
+    state = RULES.next(GroupsState(groups=("solid", "stripe"), shots=3), layout, 1, "kitchen")
     assert state.ask.options == ("spot",)
     result = RULES.choose(state, layout.without("1", "5", "3", "7", "2"), Choice("spot"))
     assert line(result) == "1 aims kitchen; spotted 9"
@@ -56,7 +56,7 @@ def test_a_ball_behind_the_head_string_may_be_spotted() -> None:
 
 def test_a_stalemate_is_broken_by_who_broke() -> None:
     """4.11."""
-    assert line(RULES.stalemate(EightBallState(breaker=1, turn=0))) == "1 aims kitchen"
+    assert line(RULES.stalemate(GroupsState(breaker=1, turn=0))) == "1 aims kitchen"
 
 
 def test_who_concedes_loses() -> None:

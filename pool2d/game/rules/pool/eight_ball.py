@@ -2,32 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from ....physics.values import Layout
 from ..notes import Note
 from ..report import Report
-from ..ruling import Ruling, State
+from ..ruling import Ruling
 from ..spotting import ANYWHERE, KITCHEN, Where, spot_balls
-from .fouls import seen
-from .pool import DRIVEN, PoolRules, driven, gone
+from .fouls import shared_fouls
+from .pool import DRIVEN, GroupsState, PoolRules, driven, gone
 
 EIGHT = "8"
 SOLID, STRIPE = "solid", "stripe"
 
 
-@dataclass(frozen=True, slots=True)
-class EightBallState(State):
-    """`groups` are the players', "" while the table is open."""
-
-    groups: tuple[str, ...] = ("", "")
-
-    @property
-    def open(self) -> bool:
-        return not self.groups[0]
-
-
-class EightBall(PoolRules[EightBallState]):
+class EightBall(PoolRules[GroupsState]):
     """Clear your group, then pocket the eight. Every shot but the break is called; a safety may be (4.5, 4.6)."""
 
     name = "eight-ball"
@@ -35,11 +24,11 @@ class EightBall(PoolRules[EightBallState]):
     rank = 1
     racks = ("eight-ball",)
     groups = (SOLID, STRIPE)
-    state_type = EightBallState
+    state_type = GroupsState
     call = "pocket"
     may = ("safety",)
 
-    def on(self, state: EightBallState, layout: Layout, player: int) -> tuple[str, ...]:
+    def on(self, state: GroupsState, layout: Layout, player: int) -> tuple[str, ...]:
         """4.4: on an open table any ball but the eight, and that too once a group is gone. 4.5: else one's own.
 
         On the break any ball may be hit first (4.3).
@@ -53,9 +42,9 @@ class EightBall(PoolRules[EightBallState]):
             return left[state.groups[player]] or eight
         return left[SOLID] + left[STRIPE] + (() if all(left.values()) else eight)
 
-    def judge(self, state: EightBallState, layout: Layout, report: Report) -> Ruling:
+    def judge(self, state: GroupsState, layout: Layout, report: Report) -> Ruling:
         player, ask = state.ask.player, state.ask
-        fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
+        fouls = shared_fouls(report, ask.on, kitchen=ask.where == KITCHEN)
         state = replace(state, shots=state.shots + 1)
         if state.shots == 1:
             return self._break(state, layout, report, fouls)
@@ -76,7 +65,7 @@ class EightBall(PoolRules[EightBallState]):
             notes = (Note(f"group.{mine}", player),)
         return self.ruled(self.next(state, layout, player), layout, *notes)
 
-    def picked(self, state: EightBallState, layout: Layout, key: str) -> Ruling:
+    def picked(self, state: GroupsState, layout: Layout, key: str) -> Ruling:
         if key != "spot-eight":
             return super().picked(state, layout, key)
         # 4.3 (e), (f): the breaker goes on where the balls lie; the opponent from behind the head string.
@@ -85,7 +74,7 @@ class EightBall(PoolRules[EightBallState]):
         where: Where = "" if player == state.breaker else KITCHEN
         return self.ruled(self.next(state, layout, player, where), layout, spotted=spotted)
 
-    def _break(self, state: EightBallState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
+    def _break(self, state: GroupsState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
         """4.3: the break. It never gives groups."""
         player = state.ask.player
         opponent = self.other(player)
@@ -110,7 +99,7 @@ class EightBall(PoolRules[EightBallState]):
         # (c)
         return self.ruled(self.next(state, layout, player if report.potted else opponent), layout)
 
-    def _eight(self, state: EightBallState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
+    def _eight(self, state: GroupsState, layout: Layout, report: Report, fouls: tuple[Note, ...]) -> Ruling:
         """4.8: the eight decides the rack, one way or the other."""
         player = state.ask.player
         if EIGHT in report.off:

@@ -5,60 +5,47 @@ These are the rules of two visits after a foul, not those of blackball, nor the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from ....physics.values import POCKETED, Layout
 from ..notes import Note
-from ..report import BALL, Report
-from ..ruling import AIM, Ruling, State
-from ..scores import changed
+from ..report import Report
+from ..ruling import AIM, Ruling
 from ..sight import sees, snookered
 from ..spotting import KITCHEN, Spotted, Where, spot_balls
 from ..vantage import vantage
-from .pool import DRIVEN, PoolRules, driven
-
-BLACK = "black"
-RED, YELLOW = "red", "yellow"
+from .english_pool import BLACK, COLORS, RED, YELLOW, EnglishPool
+from .pool import DRIVEN, GroupsState, driven
 
 
 @dataclass(frozen=True, slots=True)
-class EnglishState(State):
+class EnglishState(GroupsState):
     """A frame.
 
-    `groups` are the players' colours, "" while the table is open. `visits` are those the player at the table still
-    has, the present one with them. `free`: the player is foul-snookered and may nominate a ball. `trial` is a
-    colour nominated after the break of which no ball had fallen.
+    `visits` are those the player at the table still has, the present one with them. `free`: the player is
+    foul-snookered and may nominate a ball. `trial` is a colour nominated after the break of which no ball had fallen.
     """
 
-    groups: tuple[str, ...] = ("", "")
     visits: int = 1
     free: bool = False
     trial: str = ""
 
-    @property
-    def open(self) -> bool:
-        return not self.groups[0]
 
-
-class EnglishEightBall(PoolRules[EnglishState]):
+class EnglishEightBall(EnglishPool[EnglishState]):
     """D: clear your colour, then pot the black. After a foul the opponent has two visits."""
 
     name = "english-eight-ball"
     title = "English eight-ball"
     rank = 6
-    racks = ("eight-ball",)
-    groups = (RED, YELLOW)
     state_type = EnglishState
 
     def on(self, state: EnglishState, layout: Layout, player: int) -> tuple[str, ...]:
         """C (3): one's colour, and the black when it is gone; on an open table both colours (H)."""
         if not state.shots:
             return self.on_table(layout)
-        standing = self.on_table(layout)
-        colors = (RED, YELLOW) if state.open and not state.trial else (state.trial or state.groups[player],)
-        mine = tuple(ball for color in colors for ball in self.table.furniture.groups[color] if ball in standing)
-        return mine or tuple(ball for ball in standing if ball == BLACK)
+        own = state.trial or state.groups[player]
+        return self.to_clear(layout, (own,) if own else COLORS)
 
     def judge(self, state: EnglishState, layout: Layout, report: Report) -> Ruling:
         player, broken = state.ask.player, not state.shots
@@ -69,18 +56,20 @@ class EnglishEightBall(PoolRules[EnglishState]):
         nominated = report.call.ball if state.free and report.call.ball in state.ask.on else ""
         fouls = tuple(self.fouls(state, report, on, nominated))
         if BLACK in report.potted:
-            return self._black(state, layout, on, fouls)
+            # D (1), M
+            return self.black_potted(state, layout, fouls, due=BLACK in on)
         layout, spotted = self.spot(layout, report.off)
         if fouls:
             return self._fouled(state, layout, fouls, spotted)
-        fallen = {color for color in (RED, YELLOW) if set(report.potted) & set(self.table.furniture.groups[color])}
+        fallen = self.colors_potted(report)
         potted = any(ball in on or ball == nominated for ball in report.potted)
         notes: tuple[Note, ...] = ()
         if state.open and potted:
             if not state.trial and len(fallen) == 2:
                 # H (3) (b)
                 return self.ruled(self._nominating(state, player), layout)
-            state, notes = self._decided(state, player, state.trial or fallen.pop())
+            state, note = self.decided(state, player, state.trial or fallen.pop())
+            notes = (note,)
         state = replace(state, trial="")
         return self._goes_on(state, layout, potted, notes)
 
@@ -89,12 +78,12 @@ class EnglishEightBall(PoolRules[EnglishState]):
         name, _, color = key.partition(":")
         if name == "baulk":
             # P (3) (b), (4) (b): a player who takes the cue ball to baulk may be foul-snookered there too.
-            layout = layout.put(layout[self.table.furniture.cue]._replace(phase=POCKETED))
-            return self._to_play(state, layout, player)
+            return self._to_play(state, self.to_baulk(layout), player)
         # H (2) (c), (3) (b): a colour of which a ball has fallen is one's own, another has to be potted first.
-        if any(layout[ball].phase == POCKETED for ball in self.table.furniture.groups[color]):
-            state, notes = self._decided(state, player, color)
-            return self.ruled(self.next(state, layout, player), layout, *notes)
+        if any(layout[ball].phase == POCKETED for ball in self.balls_of(color)):
+            state, note = self.decided(state, player, color)
+            state = replace(state, trial="")
+            return self.ruled(self.next(state, layout, player), layout, note)
         state = replace(state, trial=color)
         return self.ruled(self.next(state, layout, player), layout)
 
@@ -106,42 +95,19 @@ class EnglishEightBall(PoolRules[EnglishState]):
     def fouls(self, state: EnglishState, report: Report, on: tuple[str, ...], nominated: str) -> Iterator[Note]:
         """K, N, R and S: the standard fouls, as far as they can be seen, and G: a shot that is not legal."""
         legal = (*on, nominated) if nominated else on
-        if report.scratch:
-            yield Note("foul.scratch")
-        if report.cue_off:
-            yield Note("foul.cue-off")
-        for ball in report.off:
-            yield Note("foul.off", ball=ball)
-        theirs = () if state.open else self.table.furniture.groups[state.groups[self.other(state.ask.player)]]
+        yield from self.fouls_lost(report)
+        theirs = () if state.open else self.balls_of(state.groups[self.other(state.ask.player)])
         for ball in report.potted:
             if ball in theirs and ball != nominated:
                 yield Note("foul.potted", ball=ball)
-        yield from self._hit(report, legal)
-        if report.pressed or any(fault in ("push", "double-hit") for fault in report.stroke):
-            yield Note("foul.push")
+        # G (1), R
+        yield from self.fouls_hit(report, legal)
+        yield from self.fouls_pushed(report)
 
-    def _hit(self, report: Report, legal: tuple[str, ...]) -> Iterator[Note]:
-        """G (1): a ball on first, then a ball on potted or any ball to a cushion, unless in a total snooker (3).
-
-        R: to play away from a touching ball that is on is to have played it.
-        """
-        touched = bool(set(report.touching) & set(legal))
-        if not report.first and not touched:
-            yield Note("foul.no-hit")
-        elif not touched and not set(report.first) & set(legal):
-            yield Note("foul.wrong-ball", ball=report.first[0])
-        elif not self._moved(report, touched) and self._sees(report, legal):
-            yield Note("foul.no-rail")
-
-    def _sees(self, report: Report, legal: tuple[str, ...]) -> bool:
-        """G (3), Q: whether this was no total snooker; a jaw makes one as a ball does."""
+    def snookered(self, report: Report, on: Collection[str]) -> bool:
+        """G (3), Q: whether this was a total snooker; a jaw makes one as a ball does."""
         start = report.start
-        return sees(self.table, start, start[report.cue], [ball for ball in legal if ball in start], between=True)
-
-    def _moved(self, report: Report, touched: bool) -> bool:
-        """Whether a ball fell, left the table or met a cushion once a ball had been played."""
-        after = report.contacts if touched else report.after
-        return any(contact.kind != BALL for contact in after)
+        return not sees(self.table, start, start[report.cue], [ball for ball in on if ball in start], between=True)
 
     def _break(self, state: EnglishState, layout: Layout, report: Report) -> Ruling:
         """F (4): the break is fair where a colour is potted or four balls are driven to a cushion."""
@@ -178,14 +144,6 @@ class EnglishEightBall(PoolRules[EnglishState]):
             Note("break", player),
         )
         return ruling._replace(state=replace(again, visits=visits), fouls=fouls, notes=notes)
-
-    def _black(self, state: EnglishState, layout: Layout, on: tuple[str, ...], fouls: tuple[Note, ...]) -> Ruling:
-        """D (1): the black, on and without foul, wins. M: it loses on a foul, or before one's colour is gone."""
-        player = state.ask.player
-        if BLACK in on and not fouls:
-            return self.ruled(self.ended(state, player), layout)
-        reason = "loss.black-foul" if BLACK in on else "loss.black-early"
-        return self.ruled(self.ended(state, self.other(player)), layout, Note(reason, player), fouls=fouls)
 
     def _fouled(self, state: EnglishState, layout: Layout, fouls: tuple[Note, ...], spotted: Spotted) -> Ruling:
         """K: the opponent has two visits."""
@@ -236,18 +194,8 @@ class EnglishEightBall(PoolRules[EnglishState]):
     def _nominating(self, state: EnglishState, player: int) -> EnglishState:
         return self.to_choose(replace(state, free=False, trial=""), player, f"group:{RED}", f"group:{YELLOW}")
 
-    def _decided(self, state: EnglishState, player: int, color: str) -> tuple[EnglishState, tuple[Note, ...]]:
-        """H (1) (c): a player's colour, and the other for the opponent, for the rest of the frame."""
-        other = YELLOW if color == RED else RED
-        groups = changed((other, other), player, color)
-        return replace(state, groups=groups, trial=""), (Note(f"group.{color}", player),)
-
     def spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, Spotted]:
         """S: balls off the table go on the spot, or behind it without touching another: the black, reds, yellows."""
-        order = [BLACK, *(ball for color in (RED, YELLOW) for ball in self.table.furniture.groups[color])]
+        order = [BLACK, *(ball for color in COLORS for ball in self.balls_of(color))]
         spot = self.table.furniture.spots[BLACK]
         return spot_balls(self.table, layout, sorted(balls, key=order.index), spot, clear=frozenset(layout))
-
-    def next_note(self, state: EnglishState) -> Note:
-        note = super().next_note(state)
-        return replace(note, key="in-hand.baulk") if note.key == "in-hand.kitchen" else note

@@ -8,7 +8,7 @@ from ..notes import Note
 from ..report import Report
 
 
-def seen(report: Report, on: Collection[str], *, kitchen: bool = False, push: bool = False) -> tuple[Note, ...]:
+def shared_fouls(report: Report, on: Collection[str], *, kitchen: bool = False, push: bool = False) -> tuple[Note, ...]:
     """Every foul of a shot, the gravest first.
 
     `on` are the balls that may be hit first. `kitchen`: the cue ball was in hand behind the head string.

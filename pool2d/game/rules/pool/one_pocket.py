@@ -18,7 +18,7 @@ from ..report import Report
 from ..ruling import Ruling, State
 from ..scores import changed
 from ..spotting import KITCHEN, Spotted, Where, spot_balls
-from .fouls import seen
+from .fouls import shared_fouls
 from .pool import PoolRules, gone
 
 
@@ -70,7 +70,7 @@ class OnePocket(PoolRules[OnePocketState]):
 
     def judge(self, state: OnePocketState, layout: Layout, report: Report) -> Ruling:
         shooter, opponent, ask = state.ask.player, self.other(state.ask.player), state.ask
-        fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
+        fouls = shared_fouls(report, ask.on, kitchen=ask.where == KITCHEN)
         before, state = state, self.counted(replace(state, shots=state.shots + 1), shooter, bool(fouls))
         mine, theirs, neutral = self._sorted(state, report)
         notes: tuple[Note, ...] = ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import ClassVar, TypeVar, Unpack
 
 from ....physics.values import POCKETED, Layout
@@ -17,6 +17,18 @@ S = TypeVar("S", bound=State)
 
 # How many balls an opening break has to drive to a rail where none is pocketed.
 DRIVEN = 4
+
+
+@dataclass(frozen=True, slots=True)
+class GroupsState(State):
+    """A frame in which each player has a group of balls: `groups` are the players', "" while the table is open."""
+
+    groups: tuple[str, ...] = ("", "")
+
+    @property
+    def open(self) -> bool:
+        """Whether no player has a group yet."""
+        return not self.groups[0]
 
 
 class PoolRules(Rules[S]):

@@ -14,7 +14,7 @@ from ..notes import Note
 from ..report import Report
 from ..ruling import Ruling, State
 from ..spotting import ANYWHERE, KITCHEN, spot_balls
-from .fouls import seen
+from .fouls import shared_fouls
 from .pool import DRIVEN, PoolRules, driven
 
 
@@ -39,7 +39,7 @@ class Rotation(PoolRules[State]):
         player, opponent, ask = state.ask.player, self.other(state.ask.player), state.ask
         breaks = state.shots == 0
         push = report.call.push and "push" in ask.may
-        fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN and not breaks, push=push)
+        fouls = shared_fouls(report, ask.on, kitchen=ask.where == KITCHEN and not breaks, push=push)
         if breaks and not report.potted and driven(report) < DRIVEN:
             fouls = (*fouls, Note("foul.break"))
         state = self.counted(replace(state, shots=state.shots + 1), player, bool(fouls))

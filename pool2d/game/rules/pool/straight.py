@@ -12,7 +12,7 @@ from ..report import Report
 from ..ruling import Ruling, State
 from ..scores import added, points, score_notes
 from ..spotting import KITCHEN, Where, spot_balls
-from .fouls import seen
+from .fouls import shared_fouls
 from .pool import PoolRules, driven, gone
 from .rerack import rerack
 
@@ -54,7 +54,7 @@ class Straight(PoolRules[StraightState]):
 
     def judge(self, state: StraightState, layout: Layout, report: Report) -> Ruling:
         player, ask = state.ask.player, state.ask
-        fouls = seen(report, ask.on, kitchen=ask.where == KITCHEN)
+        fouls = shared_fouls(report, ask.on, kitchen=ask.where == KITCHEN)
         opening = state.opening
         state = replace(state, shots=state.shots + 1, opening=False)
         if opening and not _opened(report):

@@ -64,9 +64,9 @@ class SixRed(Snooker):
             return self.ruled(self.aiming(state, layout, state.ask.player, ANYWHERE), layout)
         return super().picked(state, layout, key)
 
-    def found(self, state: SnookerState, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
+    def fouls(self, state: SnookerState, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
         """3: the colour that was nominated after a red, and not potted, may not hide the balls that are on next."""
-        fouls = super().found(state, layout, report, aim)
+        fouls = super().fouls(state, layout, report, aim)
         if fouls or state.phase != COLOR or scored(report, aim) or set(report.touching) & set(aim.on):
             return fouls
         on = balls_on(RED, layout) or balls_on(ORDER, layout)

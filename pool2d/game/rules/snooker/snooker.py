@@ -27,8 +27,8 @@ from .snooker_fouls import (
     SnookerPhase,
     Target,
     aimed,
+    all_fouls,
     balls_on,
-    fouls,
     missed,
     nominable,
     penalty,
@@ -105,7 +105,7 @@ class Snooker(Rules[SnookerState]):
         aim = aimed(state.phase, state.free, report)
         state = replace(state, shots=state.shots + 1)
         last = self.on_table(report.start) == ("black",)
-        found = self.found(state, layout, report, aim)
+        found = self.fouls(state, layout, report, aim)
         kept = aim.on if state.phase == ORDER and not found else ()
         gone = dict.fromkeys(ball for ball in (*report.potted, *report.off) if ball in COLORS and ball not in kept)
         layout, spotted = spot_colors(self.table, layout, gone)
@@ -138,9 +138,9 @@ class Snooker(Rules[SnookerState]):
             return self.ruled(self.aiming(state, layout, self.other(chooser), where), layout)
         return self.ruled(self.aiming(state, layout, chooser, where, self.free_ball(state, layout)), layout)
 
-    def found(self, state: SnookerState, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
+    def fouls(self, state: SnookerState, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
         """Every foul of a stroke, the dearest first (3.10)."""
-        return fouls(self.table, layout, report, aim)
+        return all_fouls(self.table, layout, report, aim)
 
     def pots(self, player: int, report: Report, ruling: Ruling) -> tuple[str, ...]:
         """Every ball that falls without a foul, for all that colours are spotted again."""
@@ -173,23 +173,21 @@ class Snooker(Rules[SnookerState]):
         player = state.ask.player
         opponent = self.other(player)
         change = points(opponent, penalty(found))
-        told_of = tuple(foul.note for foul in found)
-        was, misses = state, state.misses
+        notes_of_fouls = tuple(foul.note for foul in found)
+        was = state
         state = replace(added(state, change), run=0, phase=_phase(layout), misses=0, before=())
         notes = score_notes(change)
         if last:
-            return self._end(state, layout, change, notes, told_of, spotted)
+            return self._end(state, layout, change, notes, notes_of_fouls, spotted)
         if missed(found) and self._is_miss(was, state, layout, report):
-            full = sees_full(self.table, report.start, report.start[report.cue], could_be_on(was, report.start))
-            misses = misses + 1 if full else 0
+            missed_again = self._after_miss(was, state, report)
             notes += (Note("miss"),)
-            if misses == 3:
+            if missed_again.misses == 3:
                 # 3.14 (d): the third miss in a row with a full ball in sight.
                 return self.ruled(
-                    self.ended(state, opponent), layout, *notes, fouls=told_of, spotted=spotted, points=change
+                    self.ended(state, opponent), layout, *notes, fouls=notes_of_fouls, spotted=spotted, points=change
                 )
-            before = tuple((ball.id, ball.x, ball.y) for ball in report.start.on_table())
-            state = replace(state, before=before, was=was.phase, freed=was.free, misses=misses)
+            state = missed_again
         if self.free_ball(state, layout):
             notes += (Note("free-ball"),)
         options = ("play", "play-again", *(("put-back",) if state.before else ()))
@@ -197,7 +195,7 @@ class Snooker(Rules[SnookerState]):
         on = balls_on(state.phase, layout)
         state = replace(state, left=left, snookers=needed(state.scores, left, state.phase, on))
         state = self.to_choose(state, opponent, *options)
-        return self.ruled(state, layout, *notes, fouls=told_of, spotted=spotted, points=change)
+        return self.ruled(state, layout, *notes, fouls=notes_of_fouls, spotted=spotted, points=change)
 
     def _is_miss(self, before: SnookerState, after: SnookerState, layout: Layout, report: Report) -> bool:
         """3.14: whether a failure to hit a ball on is a miss.
@@ -218,6 +216,13 @@ class Snooker(Rules[SnookerState]):
             return False
         return self.options.miss == "always" or sees(self.table, start, cue, on)
 
+    def _after_miss(self, before: SnookerState, after: SnookerState, report: Report) -> SnookerState:
+        """The state after a foul and a miss, from which the balls may be put back (3.14 b)."""
+        full = sees_full(self.table, report.start, report.start[report.cue], could_be_on(before, report.start))
+        places = tuple((ball.id, ball.x, ball.y) for ball in report.start.on_table())
+        misses = before.misses + 1 if full else 0
+        return replace(after, before=places, was=before.phase, freed=before.free, misses=misses)
+
     def _put_back(self, state: SnookerState, layout: Layout) -> Ruling:
         """3.14 (b): every ball goes back, and the same balls are on for the offender."""
         for ball, x, y in state.before:
@@ -233,20 +238,20 @@ class Snooker(Rules[SnookerState]):
         layout: Layout,
         change: tuple[int, ...],
         notes: tuple[Note, ...],
-        told_of: tuple[Note, ...] = (),
+        notes_of_fouls: tuple[Note, ...] = (),
         spotted: Spotted = (),
     ) -> Ruling:
         """3.4 (a): a score or a foul at the last black ends the frame. (b): but not a tie."""
         first, second = state.scores
         if first != second:
             state = self.ended(state, 0 if first > second else 1)
-            return self.ruled(state, layout, *notes, fouls=told_of, spotted=spotted, points=change)
+            return self.ruled(state, layout, *notes, fouls=notes_of_fouls, spotted=spotted, points=change)
         cue = layout[self.table.furniture.cue]._replace(phase=POCKETED)
         layout, spotted = spot_colors(self.table, layout.put(cue), ("black",))
         # The lots are drawn from the seed.
         drawn = random.Random(f"lots {state.seed}").randrange(2)
         state = self.to_choose(replace(state, tied=True, phase=ORDER, run=0), drawn, "play", "pass")
-        return self.ruled(state, layout, *notes, Note("tie"), fouls=told_of, spotted=spotted, points=change)
+        return self.ruled(state, layout, *notes, Note("tie"), fouls=notes_of_fouls, spotted=spotted, points=change)
 
 
 def could_be_on(state: SnookerState, layout: Layout) -> tuple[str, ...]:

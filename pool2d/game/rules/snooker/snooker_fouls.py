@@ -80,7 +80,7 @@ def nominable(phase: SnookerPhase, free: bool, layout: Layout) -> tuple[str, ...
     return tuple(ball for ball in (*balls_on(RED, layout), *balls_on(COLOR, layout)) if free and ball not in on)
 
 
-def fouls(table: Table, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
+def all_fouls(table: Table, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
     """Every foul of a stroke, the dearest first; `layout` is as the balls came to rest (3.10)."""
     found = [*_hit(report, aim), *_lost(report, aim), *_pushed(report, aim)]
     # 3.8 (c): to play away from the free ball, touching it, has no penalty, wherever the cue ball ends.
