@@ -111,7 +111,8 @@ class Ruling(NamedTuple):
     """What happens after a shot or a choice.
 
     `notes` say what happened, in order, the last one what is next; `fouls` why it was a foul, the gravest
-    first; `spotted` which balls went back on the table and where; `points` what each player's score changed by.
+    first; `spotted` which balls went back on the table and where, as pairs of a ball and its (x, y) in m; `points` what
+    each player's score changed by.
     """
 
     state: State
