@@ -31,7 +31,7 @@ from pool2d.cli import main as command
 from pool2d.config.catalogue import CONDITIONS, DRILLS, TABLES, find, shipped
 from pool2d.config.settings import Store
 from pool2d.game.actions import Concede, Stroke
-from pool2d.game.drills import drill_file
+from pool2d.game.drills import best_results, drill_file
 from pool2d.game.match import Match
 from pool2d.game.records.record import seal
 from pool2d.game.records.recorder import record
@@ -175,8 +175,8 @@ class Inputs:
         place = Path(os.environ["POOL2D_DATA"]) / DRILLS / "best.json"
         place.parent.mkdir(parents=True, exist_ok=True)
         os.replace(path, place)
-        drill_file.best("draw")
-        drill_file.keep("draw", 6)
+        best_results.best("draw")
+        best_results.keep("draw", 6)
         return 0
 
 

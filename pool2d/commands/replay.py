@@ -6,10 +6,10 @@ from pathlib import Path
 
 from ..errors import InputError
 from ..game.records.record import CHANGED, GONE, Record, load
-from ..game.records.replaying import BY_RECORD, RecordedShot, divergences, recorded_shots
+from ..game.records.replaying import BY_RECORD, RecordedShot, divergences, strokes
 from . import terminal
 
-# Pictures of a film per second: a GIF counts in hundredths.
+# Pictures per second: a GIF counts in hundredths.
 _RATE = 25
 
 
@@ -29,9 +29,9 @@ def check(path: Path) -> int:
     record = load(path)
     found = list(divergences(record))
     if not found:
-        strokes = sum(entry.do == "stroke" for entry in record.entries)
+        count = sum(entry.do == "stroke" for entry in record.entries)
         table = _TABLES[record.outdated]
-        terminal.tell(f"{path}: as recorded: {strokes} strokes, {len(record.entries)} lines{table}")
+        terminal.tell(f"{path}: as recorded: {count} strokes, {len(record.entries)} lines{table}")
         return 0
     first = next((one for one in found if one.why == BY_RECORD), found[0])
     more = f" (and {len(found) - 1} lines more)" if len(found) > 1 else ""
@@ -39,9 +39,9 @@ def check(path: Path) -> int:
     return 1
 
 
-def take_of(record: Record, number: int | None) -> RecordedShot:
+def shot_of(record: Record, number: int | None) -> RecordedShot:
     """A stroke of a record by its number from 1; the last one without; raises InputError."""
-    found = recorded_shots(record)
+    found = list(strokes(record))
     if not found:
         raise InputError(str(record.path), "", None, "no stroke was played")
     if number is not None and not 1 <= number <= len(found):
@@ -53,9 +53,9 @@ def to_png(path: Path, folder: Path, number: int | None, size: tuple[int, int]) 
     """Write a stroke as numbered pictures, 25 for each second."""
     from ..draw.export import animation
 
-    take = take_of(load(path), number)
-    count = animation.to_png(take.match.table, take.rollout, folder, f"shot-{take.number:03d}", size, _RATE)
-    terminal.tell(f"{folder}: {count} pictures of shot {take.number}, {_RATE} a second{_otherwise(take)}")
+    shot = shot_of(load(path), number)
+    count = animation.to_png(shot.match.table, shot.rollout, folder, f"shot-{shot.number:03d}", size, _RATE)
+    terminal.tell(f"{folder}: {count} pictures of shot {shot.number}, {_RATE} a second{_otherwise(shot)}")
     return 0
 
 
@@ -64,9 +64,9 @@ def to_gif(path: Path, out: Path, number: int | None, size: tuple[int, int]) -> 
     from ..draw.export import animation, picture_file
 
     picture_file.check_path(out, moving=True)
-    take = take_of(load(path), number)
-    animation.to_gif(take.match.table, take.rollout, out, size, _RATE)
-    terminal.tell(f"{out}: shot {take.number}{_otherwise(take)}")
+    shot = shot_of(load(path), number)
+    animation.to_gif(shot.match.table, shot.rollout, out, size, _RATE)
+    terminal.tell(f"{out}: shot {shot.number}{_otherwise(shot)}")
     return 0
 
 
@@ -81,12 +81,12 @@ def tell(path: Path) -> int:
     """List the strokes of a record."""
     from ..game.rules import say
 
-    for take in recorded_shots(load(path)):
-        notes = " ".join(say(note, take.match.names) for note in take.moment.ruling.notes)
-        terminal.tell(f"{take.number:4}  {notes}{_otherwise(take)}")
+    for shot in strokes(load(path)):
+        notes = " ".join(say(note, shot.match.names) for note in shot.moment.ruling.notes)
+        terminal.tell(f"{shot.number:4}  {notes}{_otherwise(shot)}")
     return 0
 
 
-def _otherwise(take: RecordedShot) -> str:
+def _otherwise(shot: RecordedShot) -> str:
     """What is said of a stroke that would come out otherwise now."""
-    return "" if take.found is None else f" ({take.found})"
+    return "" if shot.found is None else f" ({shot.found})"

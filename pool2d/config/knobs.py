@@ -79,7 +79,7 @@ def flag(default: bool, doc: str) -> Any:
     return field(default=default, metadata={_KNOB: Knob(default, 0.0, 1.0, "", doc)})
 
 
-def words(default: str, longest: int, doc: str) -> Any:
+def text(default: str, longest: int, doc: str) -> Any:
     """A line of text, as a dataclass field."""
     return field(default=default, metadata={_KNOB: Knob(default, 0.0, longest, "", doc)})
 

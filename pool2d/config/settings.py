@@ -12,7 +12,7 @@ from typing import Any
 from ..errors import InputError
 from .files import to_toml, write_text
 from .folders import config_folder
-from .knobs import apply, choice, flag, knob, walk, words
+from .knobs import apply, choice, flag, knob, text, walk
 from .reader import check_sound, line_of, read_toml
 
 FILE = "settings.toml"
@@ -29,7 +29,7 @@ class Sound:
 
 @dataclass(frozen=True, slots=True)
 class Balls:
-    palette: str = words("standard", 40, "the balls' colours, by name")
+    palette: str = text("standard", 40, "the balls' colours, by name")
     patterned: bool = flag(False, "tell balls by a pattern as well as by colour")
     trails: bool = flag(True, "show where the balls have been")
 
@@ -44,7 +44,7 @@ class Aiming:
 class ScreenSettings:
     """`width` and `height` of 0 leave the window's size to the screen it opens on."""
 
-    language: str = words("auto", 12, "the language of the window; auto takes the system's")
+    language: str = text("auto", 12, "the language of the window; auto takes the system's")
     reduced_motion: bool = flag(False, "nothing slides or glides except the balls")
     full: bool = flag(False, "fill the screen")
     width: float = knob(0.0, 0.0, 16384.0, "pixels", "the window's width")
@@ -55,8 +55,8 @@ class ScreenSettings:
 class Players:
     """Empty names are Player 1 and Player 2 in the language of the window."""
 
-    first: str = words("", 40, "the name of the first player")
-    second: str = words("", 40, "the name of the second player")
+    first: str = text("", 40, "the name of the first player")
+    second: str = text("", 40, "the name of the second player")
 
     @property
     def names(self) -> tuple[str, str]:
@@ -67,11 +67,11 @@ class Players:
 class MatchSettings:
     """What was agreed for the match before the next; names that stand for nothing any more are passed over."""
 
-    game: str = words("", 400, "the game, and the options of its rules as name=value")
-    table: str = words("", 400, "the table")
+    game: str = text("", 400, "the game, and the options of its rules as name=value")
+    table: str = text("", 400, "the table")
     race: float = knob(1.0, 1.0, 99.0, "frames", "how many frames win the match")
     breaker: float = knob(-1.0, -2.0, 1.0, "", "who breaks first: a player from 0, -1 a coin, -2 a lag")
-    breaks: str = words("", 40, "who breaks then")
+    breaks: str = text("", 40, "who breaks then")
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
+from ..config.fields import value_of
 from ..errors import InputError, suggest
 from ..physics.values import Layout, Shot
 from ..table.position_text import Position, read, read_shot, write, write_shot
@@ -66,38 +67,30 @@ def as_dict(action: Action) -> dict[str, Any]:
     return _line("stalemate" if isinstance(action, Stalemate) else "next")
 
 
-def _line(do: ActionKind, **told: object) -> dict[str, Any]:
-    return {"do": do, **told}
+def _line(do: ActionKind, **what: object) -> dict[str, Any]:
+    return {"do": do, **what}
 
 
 def from_dict(data: Mapping[str, Any], source: str) -> Action:
     """The action that `as_dict` made it of; raises InputError."""
     do: ActionKind | None = data.get("do")
     if do == "stroke":
-        call = _of(data, "call", dict, source, {})
+        call = value_of(data, "call", dict, source, {})
         known = Call().as_dict()
         for name, value in call.items():
             if name not in known or type(value) is not type(known[name]):
                 raise InputError(source, f"call.{name}", value, "allowed are ball, pocket, safety and push")
-        return Stroke(read_shot(_of(data, "shot", str, source), source), Call(**call))
+        return Stroke(read_shot(value_of(data, "shot", str, source), source), Call(**call))
     if do == "choose":
-        x, y = (_of(data, name, float, source, 0.0) for name in ("x", "y"))
-        return Choice(_of(data, "key", str, source), x, y)
+        x, y = (value_of(data, name, float, source, 0.0) for name in ("x", "y"))
+        return Choice(value_of(data, "key", str, source), x, y)
     if do == "concede":
-        return Concede(_of(data, "player", int, source))
+        return Concede(value_of(data, "player", int, source))
     if do == "arrange":
-        position = read(text, source) if (text := _of(data, "position", str, source)) else Position()
+        position = read(text, source) if (text := value_of(data, "position", str, source)) else Position()
         if position != Position(position.layout):
             raise InputError(source, "position", text, "allowed are balls alone")
         return Arrange(position.layout)
     if do in ("next", "stalemate"):
         return NextFrame() if do == "next" else Stalemate()
     raise InputError(source, "do", do, suggest(str(do), get_args(ActionKind)))
-
-
-def _of(data: Mapping[str, Any], key: str, kind: type, source: str, default: Any = None) -> Any:
-    """The value of a key, of the wanted type; raises InputError."""
-    value = data.get(key, default)
-    if type(value) is not kind:
-        raise InputError(source, key, value, f"allowed is a {kind.__name__}")
-    return value

@@ -1,4 +1,4 @@
-"""Scenario files: a table, balls and perhaps a shot, as TOML or JSON, or as one line of text (see `position`)."""
+"""Scenario files: a table, balls and perhaps a shot, as TOML or JSON, or as one line of text (see `position_text`)."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..config.fields import check_keys
 from ..config.reader import read_json, read_toml
 from ..errors import InputError, suggest
 from ..physics.rollout import Rollout
@@ -83,11 +84,23 @@ def _read(path: Path) -> dict[str, Any]:
 def _scenario(
     data: Mapping[str, Any], source: str, overrides: Mapping[str, Any], conditions: Sequence[str]
 ) -> Scenario:
-    _known(data, _KEYS, source, "")
+    """What the keys of a file say; raises InputError."""
+    check_keys(data, _KEYS, source)
     text = data.get("position")
     if text is not None and not isinstance(text, str):
         raise InputError(source, "position", text, "allowed is a text such as 'pool-9ft cue@0.6,0.3 1@1.9,0.6'")
     position = Position() if text is None else read_position(text, source)
+    table = _table(data, position, source, overrides, conditions)
+    layout = table.settle(_layout(data, position, source))
+    if "shot" in data:
+        return Scenario(table, layout, _shot(data["shot"], layout, source))
+    return Scenario(table, layout, _on(position.shot, layout, source))
+
+
+def _table(
+    data: Mapping[str, Any], position: Position, source: str, overrides: Mapping[str, Any], conditions: Sequence[str]
+) -> Table:
+    """The table that a file names, or its position does, with what both lay over it; raises InputError."""
     name = data.get("table", position.table or "pool-9ft")
     if not isinstance(name, str):
         raise InputError(source, "table", name, "allowed is a preset's name or a path to a .toml file")
@@ -103,7 +116,11 @@ def _scenario(
     given = data.get("conditions", [])
     if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
         raise InputError(source, "conditions", given, "allowed is a list of names")
-    table = load_table(name, {**position.set, **own, **overrides}, (*position.conditions, *given, *conditions))
+    return load_table(name, {**position.set, **own, **overrides}, (*position.conditions, *given, *conditions))
+
+
+def _layout(data: Mapping[str, Any], position: Position, source: str) -> Layout:
+    """The balls of a file, and those of its position; raises InputError where there are none, or one is there twice."""
     if not any(key in data for key in ("table", "position", "balls")):
         raise InputError(source, "", None, "an empty scenario; needed are balls, or a position")
     entries = data.get("balls", [])
@@ -117,16 +134,13 @@ def _scenario(
         if ball.id in balls:
             raise InputError(source, f"balls[{number}].id", ball.id, "another ball has this id")
         balls[ball.id] = ball
-    layout = table.settle(Layout(balls.values()))
-    if "shot" in data:
-        return Scenario(table, layout, _shot(data["shot"], layout, source))
-    return Scenario(table, layout, _on(position.shot, layout, source))
+    return Layout(balls.values())
 
 
 def _ball(entry: Any, source: str, key: str) -> Ball:
     if not isinstance(entry, dict):
         raise InputError(source, key, entry, "allowed is a ball: " + ", ".join(_BALL_KEYS))
-    _known(entry, _BALL_KEYS, source, key + ".")
+    check_keys(entry, _BALL_KEYS, source, key + ".")
     name = check_id(entry.get("id"), source, f"{key}.id")
     for needed in ("x", "y"):
         if needed not in entry:
@@ -140,7 +154,7 @@ def _ball(entry: Any, source: str, key: str) -> Ball:
 def _shot(entry: Any, layout: Layout, source: str) -> Shot:
     if not isinstance(entry, dict):
         raise InputError(source, "shot", entry, "allowed is a section with " + ", ".join(_SHOT_KEYS))
-    _known(entry, _SHOT_KEYS, source, "shot.")
+    check_keys(entry, _SHOT_KEYS, source, "shot.")
     for key, value in entry.items():
         right = isinstance(value, str) if key == "ball" else type(value) in (int, float)
         if not right:
@@ -159,9 +173,3 @@ def _on(shot: Shot | None, layout: Layout, source: str) -> Shot | None:
     if shot is not None and shot.ball not in layout:
         raise InputError(source, "shot.ball", shot.ball, suggest(shot.ball, layout))
     return shot
-
-
-def _known(data: Mapping[str, Any], keys: tuple[str, ...], source: str, prefix: str) -> None:
-    for key in data:
-        if key not in keys:
-            raise InputError(source, prefix + key, data[key], suggest(key, keys))

@@ -19,7 +19,7 @@ from pool2d.draw.export.gif import encode, lzw, median_cut
 from pool2d.game.actions import Stroke
 from pool2d.game.records.record import load
 from pool2d.game.records.recorder import record
-from pool2d.game.records.replaying import recorded_shots
+from pool2d.game.records.replaying import strokes
 from pool2d.physics.values import Shot
 from tests.random_play import new_match
 
@@ -132,7 +132,7 @@ def test_a_shot_becomes_a_gif(recorded: Path, tmp_path: Path, capsys: pytest.Cap
     assert capsys.readouterr().out == f"{out}: shot 1\n"
     found, delays = pictures(out.read_bytes())
     # Every 25th of a second up to the balls' rest, and the last once more, to be held.
-    assert len(found) == math.ceil(25 * recorded_shots(load(recorded))[0].rollout.duration) + 2
+    assert len(found) == math.ceil(25 * next(strokes(load(recorded))).rollout.duration) + 2
     assert set(delays[:-1]) == {4}
     assert delays[-1] == 100
     assert (found[0] != found[-1]).any()
@@ -148,7 +148,7 @@ def test_a_shot_becomes_pictures(recorded: Path, tmp_path: Path, capsys: pytest.
     assert f"{len(names)} pictures of shot 2" in capsys.readouterr().out
     assert pygame.image.load(folder / names[-1]).get_size() == (160, 90)
     # A picture every 25th of a second, the last no earlier than the balls' rest.
-    shot = recorded_shots(load(recorded))[-1]
+    shot = list(strokes(load(recorded)))[-1]
     assert shot.rollout.duration <= (len(names) - 1) / 25 < shot.rollout.duration + 1 / 25
     (fourth,) = frames(shot.match.table, shot.rollout, (160, 90), [3 / 25])
     written = pygame.image.load(folder / "shot-002-0004.png")

@@ -9,8 +9,9 @@ import pytest
 
 from pool2d import Ball, InputError, Layout, Shot, simulate
 from pool2d.config.folders import data_folder
+from pool2d.game.drills.best_results import best, keep
 from pool2d.game.drills.drill import MISSES, Drill, RestArea, Run, Standing, begin, faults, judge, start
-from pool2d.game.drills.drill_file import best, drills, keep, load
+from pool2d.game.drills.drill_file import drills, load
 from pool2d.game.rules.report import Report
 from pool2d.physics.values import POCKETED
 

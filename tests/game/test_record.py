@@ -21,7 +21,7 @@ from pool2d.game.actions import Concede, Stroke
 from pool2d.game.match import Match
 from pool2d.game.records.record import load, matches_folder, seal
 from pool2d.game.records.recorder import Recorder, record, records, remove, resume, unfinished
-from pool2d.game.records.replaying import BY_RECORD, Divergence, recorded_shots, restored, verify
+from pool2d.game.records.replaying import BY_RECORD, Divergence, restored, strokes, verify
 from pool2d.game.rules import GAMES
 from pool2d.game.setup import Setup, setup_of
 
@@ -88,7 +88,7 @@ def test_what_was_undone_stays() -> None:
         recorder.play(Stroke(Shot(20.0, 1.0)))
     kept = load(recorder.path)
     assert [entry.data["do"] for entry in kept.entries] == ["stroke", "undo", "stroke"]
-    seen = recorded_shots(kept)
+    seen = list(strokes(kept))
     assert [take.number for take in seen] == [1, 2]
     assert [take.line for take in seen] == [2, 4]
     assert [take.moment.action for take in seen] == [Stroke(Shot(10.0, 1.0)), Stroke(Shot(20.0, 1.0))]
@@ -216,7 +216,7 @@ def test_a_change_with_good_sums_diverges(good: bytes, tmp_path: Path, capsys: p
     assert diverges(first, shot="cue:1.5,3.0").line == stroke + 2
     assert "is refused" in diverges(first, shot="1:1.5,3.0").what
     with pytest.raises(InputError, match=f"^{path}, line {stroke + 2}: stroke is refused: "):
-        recorded_shots(load(path))
+        list(strokes(load(path)))
     assert "is refused" in diverges(first, do="redo").what
     assert "is refused" in diverges(first, do="jump").what
     assert diverges({**first, "state": "0"}) == Divergence(1, "the balls do not start as recorded", BY_RECORD)

@@ -21,7 +21,7 @@ from pool2d.game.match import Match, lagged
 from pool2d.game.records import engine, moments
 from pool2d.game.records.earlier import digest
 from pool2d.game.records.engine import Identity
-from pool2d.game.records.record import CHANGED, ENGINE, GONE, Record, load, seal
+from pool2d.game.records.record import CHANGED, GONE, PLAYED_BY, Record, load, seal
 from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import record, resume
 from pool2d.game.records.replaying import (
@@ -31,9 +31,9 @@ from pool2d.game.records.replaying import (
     BY_RULES,
     UNKNOWN,
     divergences,
-    recorded_shots,
     replayed,
     restored,
+    strokes,
     verify,
 )
 from pool2d.game.rules import GAMES
@@ -180,7 +180,7 @@ def test_a_match_goes_on_on_the_table_that_it_had(path: Path, lost: bool, capsys
         again.match.table.settle(again.match.layout)
         again.play(random_action(again.match, random.Random(1)))
     assert verify(load(path)) is None
-    assert next(take.same for take in recorded_shots(load(path)))
+    assert next(take.same for take in strokes(load(path)))
     assert main(["replay", str(path), "--verify"]) == 0
     told = capsys.readouterr().out
     assert "as recorded" in told and ("not there any more" if lost else "its preset has changed since") in told
@@ -205,7 +205,7 @@ def test_every_moment_comes_back_from_its_line(game: str, breaker: int) -> None:
     rng = random.Random(f"{game} {breaker}")
     for _ in range(30):
         now = played_match.now
-        line = json.loads(json.dumps(moments.told(now)))
+        line = json.loads(json.dumps(moments.as_dict(now)))
         back = moments.moment_of(line, played_match, "line")
         assert back == replace(now, action=None, rollout=None, report=None)
         assert repr(back.layout) == repr(now.layout)
@@ -231,7 +231,7 @@ def test_every_moment_comes_back_from_its_line(game: str, breaker: int) -> None:
 )  # fmt: skip
 def test_what_is_no_moment_is_refused(change: dict[str, Any]) -> None:
     game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
-    line = json.loads(json.dumps(moments.told(game.now)))
+    line = json.loads(json.dumps(moments.as_dict(game.now)))
     if isinstance(change.get("game"), dict):
         change = {"game": {**line["game"], **change["game"]}}
     with pytest.raises(InputError, match=r"^line: "):
@@ -240,7 +240,7 @@ def test_what_is_no_moment_is_refused(change: dict[str, Any]) -> None:
 
 def test_who_is_asked_keeps_the_name_that_records_have_for_it() -> None:
     game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
-    line = json.loads(json.dumps(moments.told(game.now)))
+    line = json.loads(json.dumps(moments.as_dict(game.now)))
     ask = line["game"]["ask"]
     assert list(ask)[:2] == ["kind", "who"] and "player" not in ask
     refused: list[tuple[dict[str, Any], str]] = [({"who": "x"}, "game.who"), ({"player": 0}, "player")]
@@ -251,7 +251,7 @@ def test_who_is_asked_keeps_the_name_that_records_have_for_it() -> None:
 
 def test_a_note_that_this_version_has_no_words_for_is_left_out() -> None:
     game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
-    line = moments.told(game.now)
+    line = moments.as_dict(game.now)
     back = moments.moment_of({**line, "notes": [{"key": "foul.talking"}, *line["notes"]]}, game, "line")
     assert back.ruling.notes == game.now.ruling.notes
 
@@ -263,7 +263,7 @@ def test_a_later_engine_shows_and_goes_on_with_what_was_recorded(
     path: Path, faster: Callable[[], None], other: Callable[..., None], capsys: pytest.CaptureFixture[str]
 ) -> None:
     before = played(path)
-    as_it_was = recorded_shots(load(path))
+    as_it_was = list(strokes(load(path)))
     faster()
     other(engine="later")
     kept = load(path)
@@ -273,7 +273,7 @@ def test_a_later_engine_shows_and_goes_on_with_what_was_recorded(
     told = capsys.readouterr().out
     assert f"line {found[0].line}: the shot does not roll as recorded" in told
     assert "the engine has changed since" in told and f"and {len(found) - 1} lines more" in told
-    for take, old in zip(recorded_shots(kept), as_it_was, strict=True):
+    for take, old in zip(strokes(kept), as_it_was, strict=True):
         assert take.before.layout == old.before.layout
         assert moments.same(take.moment, old.moment)
         assert take.moment.ruling == old.moment.ruling
@@ -292,7 +292,7 @@ def test_a_later_engine_shows_and_goes_on_with_what_was_recorded(
         again.play(random_action(again.match, random.Random(9)))
         ahead = again.match
     # What the later engine has played is laid to it, and plays again.
-    assert [body.get(ENGINE, [""])[0] for body in bodies(path)][-1] == "later"
+    assert [body.get(PLAYED_BY, [""])[0] for body in bodies(path)][-1] == "later"
     assert [one.line for one in divergences(load(path))] == [one.line for one in found]
     with resume(path) as once_more:
         assert stands(once_more.match, ahead)
@@ -352,7 +352,7 @@ def test_other_rules_are_told_and_the_match_stands_as_it_was_judged(
     assert again.changes == (BY_RULES,)
     assert stands(again.match, before)
     # The shot itself rolls as ever, and is shown.
-    assert all(take.same for take in recorded_shots(load(path)))
+    assert all(take.same for take in strokes(load(path)))
     assert all(x.report == y.report for x, y in zip(again.match.history, before.history, strict=True))
 
 
@@ -458,7 +458,7 @@ EARLIER = {"practice": "122f8cb2ba7dae8b", "eight-ball": "4556f79632c0693b", "st
 
 def as_before(path: Path) -> Iterator[dict[str, Any]]:
     """The lines of a record as versions wrote them that told a table by its names, and a digest of each moment."""
-    gone = {ENGINE, "balls", "game", "tallies", "turn", "notes", "fouls", "spotted", "points", "fell", "lag"}
+    gone = {PLAYED_BY, "balls", "game", "tallies", "turn", "notes", "fouls", "spotted", "points", "fell", "lag"}
     for entry, game, _ in replayed(load(path)):
         body = {key: value for key, value in entry.data.items() if key not in gone | {"sum"}}
         if "table" in body:

@@ -1,4 +1,4 @@
-"""Drill files, shipped or the user's own, and the best results kept of them.
+"""Drill files, shipped or the user's own.
 
 A drill is a TOML file in `assets/drills` or the user's own `drills` folder:
 
@@ -28,17 +28,14 @@ attempts it, the results adding up; `solution` are strokes that reach the goal.
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 from ...config import catalogue
-from ...config.files import write_text
-from ...config.folders import data_folder
-from ...config.reader import read_json, read_toml
+from ...config.fields import check_keys, value_of
+from ...config.reader import read_toml
 from ...errors import InputError, suggest
 from ...physics.values import Layout
 from ...table.placing import RANGES
@@ -47,7 +44,6 @@ from ...table.scenario import scenario_of
 from ...table.table import Table
 from .drill import ANY, Drill, RestArea, Step, Wording
 
-_BEST = "best.json"
 _KEYS = ("name", "text", "position", "steps", "pass", "tries", "solution")
 _WORDING_KEYS = ("name", "text")
 _LONGEST = {"name": 80, "text": 1000}
@@ -70,17 +66,17 @@ def load(name: str) -> Drill:
     path = catalogue.find(catalogue.DRILLS, name)
     source, data = str(path), read_toml(path)
     languages = tuple(filter(_LANGUAGE.fullmatch, data))
-    _known(data, (*_KEYS, *languages), source, "")
+    check_keys(data, (*_KEYS, *languages), source, "")
     own = _wording(data, source, "", Wording(path.stem, ""))
-    position = read(_of(data, "position", str, source, ""), source)
+    position = read(value_of(data, "position", str, source), source)
     scenario = scenario_of(position)
-    entries = _of(data, "steps", list, source, "")
+    entries = value_of(data, "steps", list, source)
     if not 1 <= len(entries) <= _MOST_STEPS:
         raise InputError(source, "steps", entries, f"allowed is one step or more, up to {_MOST_STEPS}")
     table = scenario.table
     steps = tuple(_step(entry, table, f"steps[{i}].", source) for i, entry in enumerate(entries))
     _check_balls(steps, scenario.layout, table, source)
-    goal, tries = _of(data, "pass", int, source, "", len(steps)), _of(data, "tries", int, source, "", 10)
+    goal, tries = value_of(data, "pass", int, source, len(steps)), value_of(data, "tries", int, source, 10)
     for key, value, most in (("pass", goal, len(steps)), ("tries", tries, 100)):
         if not 1 <= value <= most:
             raise InputError(source, key, value, f"allowed is 1 to {most}")
@@ -93,7 +89,7 @@ def load(name: str) -> Drill:
         steps,
         goal,
         tries,
-        tuple(read_shot(str(text), source) for text in _of(data, "solution", list, source, "", [])),
+        tuple(read_shot(str(text), source) for text in value_of(data, "solution", list, source, [])),
         {language: _translated(data, language, source, own) for language in languages},
     )
 
@@ -103,7 +99,7 @@ def _translated(data: Mapping[str, Any], language: str, source: str, own: Wordin
     entry = data[language]
     if not isinstance(entry, dict):
         raise InputError(source, language, entry, "allowed is a section with " + ", ".join(_WORDING_KEYS))
-    _known(entry, _WORDING_KEYS, source, f"{language}.")
+    check_keys(entry, _WORDING_KEYS, source, f"{language}.")
     return _wording(entry, source, f"{language}.", own)
 
 
@@ -113,7 +109,7 @@ def _wording(data: Mapping[str, Any], source: str, prefix: str, default: Wording
 
 def _words(data: Mapping[str, Any], key: str, source: str, prefix: str, default: str) -> str:
     """A text that the window can show, on one line however the file breaks it."""
-    words = " ".join(str(_of(data, key, str, source, prefix, default)).split())
+    words = " ".join(str(value_of(data, key, str, source, default, prefix=prefix)).split())
     most = _LONGEST[key]
     if not words.isprintable() or len(words) > most:
         raise InputError(source, prefix + key, words, f"allowed is a text of up to {most} printable characters")
@@ -123,21 +119,23 @@ def _words(data: Mapping[str, Any], key: str, source: str, prefix: str, default:
 def _step(data: Any, table: Table, key: str, source: str) -> Step:
     if not isinstance(data, dict):
         raise InputError(source, key.rstrip("."), data, "allowed is a section with " + ", ".join(_STEP_KEYS))
-    _known(data, _STEP_KEYS, source, key)
+    check_keys(data, _STEP_KEYS, source, key)
     step = Step(
-        layout=_layout(_of(data, "position", str, source, key, ""), table, key, source),
-        pot=_of(data, "pot", str, source, key, ""),
+        layout=_layout(value_of(data, "position", str, source, "", prefix=key), table, key, source),
+        pot=value_of(data, "pot", str, source, "", prefix=key),
         least=_count(data, "least", source, key, 1),
-        pocket=_of(data, "pocket", str, source, key, ""),
-        first=_of(data, "first", str, source, key, ""),
-        hits=tuple(map(str, _of(data, "hits", list, source, key, []))),
+        pocket=value_of(data, "pocket", str, source, "", prefix=key),
+        first=value_of(data, "first", str, source, "", prefix=key),
+        hits=tuple(map(str, value_of(data, "hits", list, source, [], prefix=key))),
         rails=_count(data, "rails", source, key),
         banks=_count(data, "banks", source, key),
         driven=_count(data, "driven", source, key),
-        clear=_of(data, "clear", bool, source, key, False),
-        via=tuple(map(str, _of(data, "via", list, source, key, []))),
-        rest=tuple(_rest(entry, f"{key}rest", source) for entry in _of(data, "rest", list, source, key, [])),
-        respot=_of(data, "respot", bool, source, key, False),
+        clear=value_of(data, "clear", bool, source, False, prefix=key),
+        via=tuple(map(str, value_of(data, "via", list, source, [], prefix=key))),
+        rest=tuple(
+            _rest(entry, f"{key}rest", source) for entry in value_of(data, "rest", list, source, [], prefix=key)
+        ),
+        respot=value_of(data, "respot", bool, source, False, prefix=key),
     )
     pockets = [pocket.name for pocket in table.geometry.pockets]
     if step.pocket and step.pocket not in pockets:
@@ -181,7 +179,7 @@ def _check_balls(steps: Sequence[Step], first: Layout, table: Table, source: str
 
 def _count(data: Mapping[str, Any], key: str, source: str, prefix: str, least: int = 0) -> int:
     """A number of balls or cushions; it is `least` where it is not said."""
-    value: int = _of(data, key, int, source, prefix, least)
+    value: int = value_of(data, key, int, source, least, prefix=prefix)
     if value < least:
         raise InputError(source, prefix + key, value, f"allowed is {least} or more")
     return value
@@ -190,7 +188,7 @@ def _count(data: Mapping[str, Any], key: str, source: str, prefix: str, least: i
 def _rest(data: Any, key: str, source: str) -> RestArea:
     if not isinstance(data, dict):
         raise InputError(source, key, data, "allowed is a section with " + ", ".join(_REST_KEYS))
-    _known(data, _REST_KEYS, source, key + ".")
+    check_keys(data, _REST_KEYS, source, key + ".")
     pairs: dict[str, Any] = {}
     for name in ("x", "y", "at"):
         if name in data:
@@ -205,48 +203,4 @@ def _rest(data: Any, key: str, source: str) -> RestArea:
     within = data.get("within", math.inf)
     if type(within) not in (int, float) or not within > 0.0:
         raise InputError(source, f"{key}.within", within, "allowed is a number above 0, m")
-    return RestArea(_of(data, "ball", str, source, key + ".", "cue"), within=float(within), **pairs)
-
-
-def _of(data: Mapping[str, Any], key: str, kind: type, source: str, prefix: str, default: Any = None) -> Any:
-    """The value of a key, of the wanted type; raises InputError."""
-    value = data.get(key, default)
-    if type(value) is not kind:
-        raise InputError(source, prefix + key, value, f"allowed is a {kind.__name__}")
-    return value
-
-
-def _known(data: Mapping[str, Any], keys: tuple[str, ...], source: str, prefix: str) -> None:
-    for key in data:
-        if key not in keys:
-            raise InputError(source, prefix + key, data[key], suggest(key, keys))
-
-
-def best(drill: str) -> int | None:
-    """The best result kept of a drill; None where there is none, or what is kept cannot be read."""
-    value = _results().get(drill)
-    return value if type(value) is int else None
-
-
-def keep(drill: str, result: int) -> bool:
-    """Keep a result if it is better than the best; whether it was. Raises InputError where it cannot be written."""
-    before = best(drill)
-    if before is not None and before >= result:
-        return False
-    path, results = _results_path(), _results()
-    if not results and path.exists():
-        raise InputError(str(path), "", None, "not a file of results; it is left as it is")
-    write_text(path, json.dumps({**results, drill: result}, indent=1, sort_keys=True) + "\n")
-    return True
-
-
-def _results_path() -> Path:
-    return data_folder() / catalogue.DRILLS / _BEST
-
-
-def _results() -> dict[str, Any]:
-    try:
-        data = read_json(_results_path())
-    except InputError:
-        return {}
-    return data if isinstance(data, dict) else {}
+    return RestArea(value_of(data, "ball", str, source, "cue", prefix=key + "."), within=float(within), **pairs)

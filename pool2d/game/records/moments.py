@@ -33,8 +33,8 @@ SEEN = 1.0
 _SCORES = 1_000_000_000
 
 
-def told(moment: Moment) -> dict[str, Any]:
-    """A moment as a record's line holds it, in JSON's types."""
+def as_dict(moment: Moment) -> dict[str, Any]:
+    """A moment as a record's line holds it, in JSON's types; `moment_of` reads it."""
     ruling, report = moment.ruling, moment.report
     fell = [[c.ball, c.other] for c in report.contacts if c.kind == POCKET] if report is not None else []
     return {

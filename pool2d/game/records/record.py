@@ -36,7 +36,7 @@ FOLDER, ENDING = "matches", ".jsonl"
 UNDO: Final = "undo"
 REDO: Final = "redo"
 # The key of what played, in the first line and wherever that has changed; `Identity` as a list.
-ENGINE = "engine"
+PLAYED_BY = "engine"
 CHANGED, GONE = "changed", "gone"
 _LARGEST = 64 << 20
 _SEAL = re.compile(rb',"sum":"([0-9a-f]{16})"}')
@@ -66,7 +66,7 @@ class Record:
     path: Path
     head: RecordLine
     setup: Setup
-    place: Mapping[str, Any]
+    table_data: Mapping[str, Any]
     entries: tuple[RecordLine, ...]
     size: int
     sum: str
@@ -77,27 +77,27 @@ class Record:
         A record of an earlier version tells its names only: then it is as the preset has it now. Raises InputError
         where there is none such.
         """
-        return table_of(self.place, str(self.path)) if is_whole(self.place) else self._preset()
+        return table_of(self.table_data, str(self.path)) if is_whole(self.table_data) else self._preset()
 
     @property
     def outdated(self) -> str:
         """What the table's preset has become since: CHANGED, GONE where it cannot be read, "" where it is the same."""
-        if not is_whole(self.place):
+        if not is_whole(self.table_data):
             return ""
         try:
             now = as_data(self._preset())
         except InputError:
             return GONE
-        return "" if now == self.place else CHANGED
+        return "" if now == self.table_data else CHANGED
 
     @property
     def played_by(self) -> Identity | None:
         """What played the last line, as far as that is told."""
-        told = (identity_of(entry.data.get(ENGINE)) for entry in (*self.entries[::-1], self.head))
-        return next((one for one in told if one is not None), None)
+        known = (identity_of(entry.data.get(PLAYED_BY)) for entry in (*self.entries[::-1], self.head))
+        return next((one for one in known if one is not None), None)
 
     def _preset(self) -> Table:
-        return load_table(self.place["name"], self.place["set"], self.place["conditions"])
+        return load_table(self.table_data["name"], self.table_data["set"], self.table_data["conditions"])
 
     @property
     def over(self) -> bool:
@@ -133,7 +133,7 @@ def load(path: Path, torn: bool = False) -> Record:
         raise InputError(source, "", None, "the file is cut off within this line", len(lines) + 1)
     head = bodies[0]
     try:
-        setup, place = setup_of(head["setup"], source), check(head["table"], source)
+        setup, table_data = setup_of(head["setup"], source), check(head["table"], source)
         str(head["state"])
     except (KeyError, TypeError, AttributeError) as error:
         raise InputError(source, "", None, f"the header is not whole: {error}", 1) from None
@@ -141,7 +141,7 @@ def load(path: Path, torn: bool = False) -> Record:
     for entry in entries:
         if not isinstance(entry.data.get("do"), str):
             raise InputError(source, "do", entry.data.get("do"), "allowed is an action", entry.line)
-    return Record(path, RecordLine(1, head), setup, place, entries, len(content) - len(rest), total)
+    return Record(path, RecordLine(1, head), setup, table_data, entries, len(content) - len(rest), total)
 
 
 def _unsealed(lines: list[bytes], source: str) -> tuple[list[dict[str, Any]], str]:
@@ -200,7 +200,7 @@ def header(match: Match) -> dict[str, Any]:
     return {
         "pool2d": FORMAT,
         "version": __version__,
-        ENGINE: list(engine.identity()),
+        PLAYED_BY: list(engine.identity()),
         "setup": match.setup.as_dict(),
         "table": as_data(match.table),
         **_standing(match),
@@ -221,5 +221,5 @@ def body_of(match: Match, do: str = "") -> dict[str, Any]:
 
 def _standing(match: Match) -> dict[str, Any]:
     """Where a match stands, and a digest of that."""
-    told = moments.told(match.now)
-    return {**told, "state": moments.stamp(told)}
+    where = moments.as_dict(match.now)
+    return {**where, "state": moments.stamp(where)}

@@ -47,14 +47,14 @@ class RecordedShots:
     def play_next(self) -> RecordedShot | None:
         """Work out the next stroke; None where there is no more."""
         try:
-            take = next(self._coming, None)
+            shot = next(self._coming, None)
         except InputError as error:
-            self.fault, take = error, None
-        if take is None:
+            self.fault, shot = error, None
+        if shot is None:
             self._count = len(self.played)
         else:
-            self.played.append(take)
-        return take
+            self.played.append(shot)
+        return shot
 
 
 def undone(entries: tuple[RecordLine, ...]) -> frozenset[int]:

@@ -13,7 +13,7 @@ from ..actions import Action
 from ..match import Match, Moment
 from . import engine
 from .engine import Identity
-from .record import ENDING, ENGINE, REDO, UNDO, body_of, header, load, matches_folder, seal
+from .record import ENDING, PLAYED_BY, REDO, UNDO, body_of, header, load, matches_folder, seal
 from .replaying import restored
 
 
@@ -81,7 +81,7 @@ class Recorder:
         if self._file < 0:
             return
         if self._played_by != engine.identity():
-            body[ENGINE] = list(engine.identity())
+            body[PLAYED_BY] = list(engine.identity())
         line, total = seal({"n": self._lines, **body}, self._sum)
         # Until it is known there is nothing to go back to, and a negative size is refused.
         size = -1

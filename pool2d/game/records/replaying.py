@@ -17,7 +17,7 @@ from ..match import Match, Moment
 from . import engine, moments
 from .earlier import digest
 from .engine import Identity, identity_of
-from .record import ENGINE, REDO, UNDO, Record, RecordLine
+from .record import PLAYED_BY, REDO, UNDO, Record, RecordLine
 
 # Why a line does not come out as it says. Of a record of an earlier version, which does not tell what played it,
 # it is UNKNOWN.
@@ -94,7 +94,7 @@ def replayed(record: Record) -> Iterator[ReplayedLine]:
     match = Match(record.table(), record.setup)
     then: Identity | None = None
     for entry in (record.head, *record.entries):
-        then = identity_of(entry.data.get(ENGINE)) or then
+        then = identity_of(entry.data.get(PLAYED_BY)) or then
         yield ReplayedLine(entry, match, _Line(match, entry, then, source).played())
 
 
@@ -148,11 +148,6 @@ def strokes(record: Record) -> Iterator[RecordedShot]:
             number += 1
             same = rollout.digest() == entry.data.get("digest")
             yield RecordedShot(number, entry.line, match, match.history[-2], match.now, rollout, same, found)
-
-
-def recorded_shots(record: Record) -> list[RecordedShot]:
-    """Every stroke of a record; raises InputError."""
-    return list(strokes(record))
 
 
 class _Line:
@@ -215,7 +210,7 @@ class _Line:
         else:
             now = self.match.now
             # A later version may tell the same otherwise.
-            alike = moments.stamp(moments.told(now)) == state or moments.same(self.recorded(), now)
+            alike = moments.stamp(moments.as_dict(now)) == state or moments.same(self.recorded(), now)
         return None if alike else self.found(self.standing, *changed)
 
     def edited(self) -> Divergence:

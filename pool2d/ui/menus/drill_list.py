@@ -1,4 +1,4 @@
-"""The shelf of drills."""
+"""The list of drills to choose one from."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from functools import partial
 
 from ...draw import theme
 from ...errors import InputError
+from ...game.drills.best_results import best
 from ...game.drills.drill import Drill
-from ...game.drills.drill_file import best, drills, load
+from ...game.drills.drill_file import drills, load
 from ..dialogs.list_page import ListPage
 from ..play.play import Play
 from ..scene import Scene
@@ -32,8 +33,8 @@ class DrillList(ListPage):
         try:
             drill = load(name)
         except InputError as error:
-            told = str(error)
-            return Heading(lambda: told, theme.WARNING, lines=2)
+            wrong = str(error)
+            return Heading(lambda: wrong, theme.WARNING, lines=2)
         record = best(drill.id)
         note = "" if record is None else say("drill.best", best=record, most=drill.most)
         wording = ruling_text.wording(drill)

@@ -9,7 +9,8 @@ import pygame
 import pytest
 
 from pool2d.game.aim import Aim
-from pool2d.game.drills.drill_file import best, keep, load
+from pool2d.game.drills.best_results import best, keep
+from pool2d.game.drills.drill_file import load
 from pool2d.ui.menus.drill_list import DrillList
 from pool2d.ui.play.modes.drill_mode import DrillMode
 from pool2d.ui.widgets.list_row import ListRow

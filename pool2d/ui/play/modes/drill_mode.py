@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from ....draw import cue_motion
 from ....errors import BudgetError, InputError
 from ....game.aim import Aim
+from ....game.drills.best_results import best, keep
 from ....game.drills.drill import Run, Step, judge, start
-from ....game.drills.drill_file import best, keep
 from ....game.drills.drill_session import DrillSession
 from ....game.rules.report import Call
 from ....physics.rollout import Rollout
