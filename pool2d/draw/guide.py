@@ -113,7 +113,7 @@ def draw_whole(
     struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
     for ball in rollout.layout().values():
         if len(rollout.tracks.get(ball.id, ())) > 1:
-            look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
+            look = ball_art.look_of(table, ball.id)
             color = cue if ball.id in struck else others or _own(look, style)
             _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.8 * scale)
             radius, place = table.body_of(ball)[0] * view.scale, view.to_screen(ball.x, ball.y)

@@ -25,12 +25,10 @@ WARNING = (232, 122, 98)
 
 CLOTH = (32, 138, 116)
 HOLE = (6, 6, 7)
-SIGHT = (226, 220, 206)
 
 IVORY = (244, 240, 228)
 DOT = (176, 30, 36)
 CUE_SHAFT = (226, 196, 148)
-CUE_BUTT = (58, 32, 26)
 CUE_TIP = (70, 132, 178)
 # Where a ball in hand may be put.
 AREA = (214, 176, 106, 40)
@@ -61,7 +59,7 @@ class Palette:
 
     def color(self, wanted: str) -> Color:
         """The colour in this palette for one given as "#rrggbb"."""
-        return _as_given(wanted) if self is STANDARD else getattr(self, hue(wanted))
+        return rgb(wanted) if self is STANDARD else getattr(self, hue(wanted))
 
 
 STANDARD = Palette(
@@ -94,10 +92,16 @@ class Style:
 PLAIN = Style()
 
 
+def rgb(color: str) -> tuple[int, int, int]:
+    """A colour given as "#rrggbb"."""
+    red, green, blue = bytes.fromhex(color[1:])
+    return red, green, blue
+
+
 @lru_cache(maxsize=256)
 def hue(wanted: str) -> str:
     """The name of the standard colour nearest to "#rrggbb"."""
-    given = _as_given(wanted)
+    given = rgb(wanted)
 
     def far(name: str) -> int:
         return sum((a - b) ** 2 for a, b in zip(given, getattr(STANDARD, name), strict=True))
@@ -105,22 +109,11 @@ def hue(wanted: str) -> str:
     return min((field.name for field in fields(Palette)), key=far)
 
 
-def _as_given(wanted: str) -> tuple[int, int, int]:
-    red, green, blue = bytes.fromhex(wanted[1:])
-    return red, green, blue
-
-
 # Numbers 1 to 8; a stripe has the colour of the number eight less.
 BALLS = {
     number: getattr(STANDARD, name)
     for number, name in enumerate(("yellow", "blue", "red", "purple", "orange", "green", "maroon", "black"), 1)
 }
-
-
-def rgb(color: str) -> tuple[int, int, int]:
-    """A colour given as "#rrggbb"."""
-    red, green, blue = bytes.fromhex(color[1:])
-    return red, green, blue
 
 
 def unit(height: int) -> int:

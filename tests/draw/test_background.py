@@ -24,9 +24,9 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
     sizes: list[tuple[int, int]] = []
     full = table_picture.draw
 
-    def draw(table: Table, size: tuple[int, int], view: View, hands: int = 2) -> pygame.Surface:
+    def draw(table: Table, size: tuple[int, int], view: View, workers: int = 2) -> pygame.Surface:
         sizes.append(size)
-        return full(table, size, view, hands)
+        return full(table, size, view, workers)
 
     monkeypatch.setattr(table_picture, "draw", draw)
     monkeypatch.setattr(table_picture, "kept", lambda *_: None)
@@ -125,9 +125,9 @@ def test_no_frame_waits_for_the_larger_picture(monkeypatch: pytest.MonkeyPatch) 
     surface, home = shown(background, 480)
     full, go_on = table_picture.draw, threading.Event()
 
-    def slow(table: Table, size: tuple[int, int], view: View, hands: int) -> pygame.Surface:
+    def slow(table: Table, size: tuple[int, int], view: View, workers: int) -> pygame.Surface:
         assert go_on.wait(30.0)
-        return full(table, size, view, hands)
+        return full(table, size, view, workers)
 
     monkeypatch.setattr(table_picture, "draw", slow)
     near = near_to(home, 2.0)
@@ -191,13 +191,13 @@ def test_no_second_picture_is_held_once_the_full_one_is_shown(
     drawn: list[tuple[int, int]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     lean: list[weakref.ref[pygame.Surface]] = []
-    real = table_picture.lively
+    real = table_picture.window_copy
 
-    def lively(picture: pygame.Surface) -> pygame.Surface:
+    def window_copy(picture: pygame.Surface) -> pygame.Surface:
         lean.append(weakref.ref(picture))
         return real(picture)
 
-    monkeypatch.setattr(table_picture, "lively", lively)
+    monkeypatch.setattr(table_picture, "window_copy", window_copy)
     background = Background()
     for width in (320, 352):
         wait_for(lambda width=width: bool(shown(background, width)) and background.settled)  # type: ignore[misc]

@@ -55,7 +55,7 @@ def balls(name: str, style: theme.Style = theme.PLAIN) -> pygame.Surface:
     picture = pygame.Surface((SIZE[0], round(room * math.ceil(len(layout) / _ACROSS))))
     picture.fill(theme.rgb(table.furniture.finish.cloth))
     lies = racked_orientations(layout)
-    looks = [table.furniture.looks.get(ball) or ball_art.usual(ball) for ball in layout]
+    looks = [ball_art.look_of(table, ball) for ball in layout]
     placed = [
         ball_art.Placed(look, (room * (i % _ACROSS + 0.5), room * (i // _ACROSS + 0.5)), 0.36 * room, lies[ball])
         for i, (ball, look) in enumerate(zip(layout, looks, strict=True))

@@ -10,9 +10,12 @@ from typing import NamedTuple
 import pygame
 
 from ...physics.orientation import FACING, Quaternion
+from ...physics.values import Ball
 from ...table.furniture import Look
+from ...table.table import Table
 from .. import theme
 from ..theme import BALLS, IVORY, Style
+from ..view import View
 from . import ball_skin
 from .ball_light import STEPS, light, place, shadow
 from .ball_paint import Coat
@@ -86,6 +89,17 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
         corners.append((x - half, y - half))
     # The type allows for none being returned.
     return surface.blits([*shadows, *zip(_images(sprites), corners, strict=True)]) or []
+
+
+def placed_on(table: Table, view: View, ball: Ball, orientation: Quaternion) -> Placed:
+    """A ball of a table to be drawn where it is, as a view shows it."""
+    centre, radius = view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale
+    return Placed(look_of(table, ball.id), centre, radius, orientation)
+
+
+def look_of(table: Table, ball: str) -> Look:
+    """The look of a ball on a table, by its id: as the preset describes it, or the usual one."""
+    return table.furniture.looks.get(ball) or usual(ball)
 
 
 @lru_cache(maxsize=256)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +14,8 @@ from ...config.files import write_bytes
 from ...errors import InputError
 from ...game.falling import falling
 from ...game.orientations import racked_orientations
-from ...physics.orientation import BallRotation, Quaternion
+from ...physics.orientation import BallRotation
 from ...physics.rollout import Rollout
-from ...physics.values import Ball
 from ...table.table import Table
 from ..balls import ball_art, tray
 from ..tabletop import table_picture
@@ -29,19 +29,15 @@ _HOLD = 100
 def frames(table: Table, rollout: Rollout, size: tuple[int, int], times: Iterable[float]) -> Iterator[pygame.Surface]:
     """The table at moments of a shot, s."""
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
-    background = table_picture.lively(table_picture.draw(table, size, view))
+    background = table_picture.window_copy(table_picture.draw(table, size, view))
     turning = BallRotation(rollout, racked_orientations(rollout.start))
-
-    def placed(ball: Ball, orientation: Quaternion) -> ball_art.Placed:
-        look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
-        return ball_art.Placed(look, view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale, orientation)
+    placed = partial(ball_art.placed_on, table, view)
 
     for t in times:
         picture, layout = background.copy(), rollout.at(t)
-        falls = falling(rollout, turning, table.geometry.pockets, t)
         balls = [
             tray.sinking(fall, placed(layout[fall.ball]._replace(x=fall.x, y=fall.y), fall.orientation))
-            for fall in falls
+            for fall in falling(rollout, turning, table.geometry.pockets, t)
         ]
         ball_art.draw_all(picture, [*balls, *(placed(ball, turning.at(ball.id, t)) for ball in layout.on_table())])
         yield picture

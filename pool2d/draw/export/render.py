@@ -24,13 +24,9 @@ def render(scenario: Scenario, out: Path, size: tuple[int, int]) -> None:
     pygame.font.init()
     table = scenario.table
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, 0, *size))
-    picture = table_picture.lively(table_picture.draw(table, size, view))
+    picture = table_picture.window_copy(table_picture.draw(table, size, view))
     guide.draw_whole(picture, scenario.simulate(), table, view)
     orientations = racked_orientations(scenario.layout)
-    balls = []
-    for ball in scenario.layout.on_table():
-        look = table.furniture.looks.get(ball.id) or ball_art.usual(ball.id)
-        radius = table.body_of(ball)[0] * view.scale
-        balls.append(ball_art.Placed(look, view.to_screen(ball.x, ball.y), radius, orientations[ball.id]))
-    ball_art.draw_all(picture, balls)
+    balls = scenario.layout.on_table()
+    ball_art.draw_all(picture, [ball_art.placed_on(table, view, ball, orientations[ball.id]) for ball in balls])
     picture_file.save(picture, out)

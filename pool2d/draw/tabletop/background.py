@@ -108,7 +108,7 @@ class _Painter:
 def _paint(picture: Future[pygame.Surface], table: Table, size: tuple[int, int], view: View) -> None:
     try:
         # One strip at a time leaves the other processors to the loop.
-        picture.set_result(table_picture.draw(table, size, view, hands=1))
+        picture.set_result(table_picture.draw(table, size, view, workers=1))
     except Exception as error:
         picture.set_exception(error)
 
@@ -151,10 +151,10 @@ class _Whole:
             _cut(*self._full, self._picture, view)
         else:
             self._full = None
-            self._picture = table_picture.lively(table_picture.draft(table, size, view))
+            self._picture = table_picture.window_copy(table_picture.draft(table, size, view))
 
     def _take(self, picture: pygame.Surface, view: View) -> None:
-        self._picture = table_picture.lively(picture)
+        self._picture = table_picture.window_copy(picture)
         self._full = (self._picture, view)
         self.settled = True
 
@@ -173,5 +173,7 @@ def _cut(picture: pygame.Surface, given: View, part: pygame.Surface, view: View,
     part.fill(theme.BACKGROUND)
     seen, to = picture.subsurface(box), (round(box.width * factor), round(box.height * factor))
     # Smooth scaling makes copies of its own of 24 bits, more than one.
-    scaled = pygame.transform.scale(seen, to) if quick else pygame.transform.smoothscale(table_picture.lively(seen), to)
+    scaled = (
+        pygame.transform.scale(seen, to) if quick else pygame.transform.smoothscale(table_picture.window_copy(seen), to)
+    )
     part.blit(scaled, (round((box.left - left) * factor), round((box.top - top) * factor)))

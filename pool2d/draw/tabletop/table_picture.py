@@ -15,21 +15,21 @@ from . import cache, cloth, leather, paint, wood
 
 # As many rows are painted at a time, and so many strips at once.
 _ROWS = 96
-_HANDS = min(4, os.cpu_count() or 1)
+_WORKERS = min(4, os.cpu_count() or 1)
 # A draft has so many times fewer pixels each way.
 _COARSE = 3
 
 
-def draw(table: Table, size: tuple[int, int], view: View, hands: int = _HANDS) -> pygame.Surface:
+def draw(table: Table, size: tuple[int, int], view: View, workers: int = _WORKERS) -> pygame.Surface:
     """The table without balls, on a surface of `size` pixels; kept on disk from then on.
 
     The surface has 24 bits a pixel: it takes little memory, but is slow to blit and cannot be drawn on well;
-    `lively` makes a copy that can. It may be called on any thread; `hands` is how many strips are painted at once,
-    on threads.
+    `window_copy` makes a copy that can. It may be called on any thread; `workers` is how many strips are painted at
+    once, on threads of their own.
     """
     picture = kept(table, size, view)
     if picture is None:
-        pixels = _pixels(table, size, view, hands)
+        pixels = _pixels(table, size, view, workers)
         cache.save(_name(table, size, view), pixels)
         picture = pygame.image.frombuffer(pixels, size, "RGB")
     return picture
@@ -44,11 +44,11 @@ def kept(table: Table, size: tuple[int, int], view: View) -> pygame.Surface | No
 def draft(table: Table, size: tuple[int, int], view: View) -> pygame.Surface:
     """A picture in a fraction of the time, less sharp: for while the view or the table is being changed."""
     small = (max(1, size[0] // _COARSE), max(1, size[1] // _COARSE))
-    pixels = _pixels(table, small, view.zoomed(small[0] / size[0]), _HANDS)
+    pixels = _pixels(table, small, view.zoomed(small[0] / size[0]), _WORKERS)
     return pygame.transform.smoothscale(pygame.image.frombuffer(pixels, small, "RGB"), size)
 
 
-def lively(picture: pygame.Surface) -> pygame.Surface:
+def window_copy(picture: pygame.Surface) -> pygame.Surface:
     """A copy in the window's pixel format, to be drawn on and blitted fast."""
     return picture.convert() if pygame.display.get_surface() else picture.copy()
 
@@ -66,7 +66,7 @@ def _name(table: Table, size: tuple[int, int], view: View) -> str:
     return cache.name_of((content(table), size, view), __file__)
 
 
-def _pixels(table: Table, size: tuple[int, int], view: View, hands: int) -> memoryview:
+def _pixels(table: Table, size: tuple[int, int], view: View, workers: int) -> memoryview:
     """The picture's pixels, row by row, as red, green and blue."""
     width, height = size
     layers = [
@@ -84,8 +84,8 @@ def _pixels(table: Table, size: tuple[int, int], view: View, hands: int) -> memo
         pixels[top : top + _ROWS] = np.clip(light, 0.0, 255.0).astype(np.uint8).transpose(1, 2, 0)
 
     tops = range(0, height, _ROWS)
-    if hands > 1:
-        with ThreadPoolExecutor(hands) as pool:
+    if workers > 1:
+        with ThreadPoolExecutor(workers) as pool:
             # Asking for the results raises what went wrong.
             list(pool.map(fill, tops))
     else:

@@ -147,7 +147,7 @@ class PlayState:
             self.messages.say(str(error))
             return
         self.run(Playback(rollout, shot, cue_motion.lead(drawn, self.show.effects)))
-        self.messages.show(lambda: say("play.miscue") if shot_text.missed(rollout) else "")
+        self.messages.show(lambda: say("play.miscue") if shot_text.miscued(rollout) else "")
 
     def replay(self) -> None:
         """Show the last shot again."""
@@ -195,7 +195,7 @@ class PlayState:
         """Show no shot any more, and say what came of it."""
         self.playback = None
         self.hands.rest(keep=shown.review)
-        if shot_text.missed(shown.rollout) and not shown.again:
+        if shot_text.miscued(shown.rollout) and not shown.again:
             self.sounds.chalk()
         if (words := self.mode.at_rest(shown)) is not None:
             self.messages.show(words)

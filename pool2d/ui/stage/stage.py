@@ -128,7 +128,7 @@ class Stage:
         self.camera.fit(fit(size.length, size.width, area), (size.length, size.width), area)
 
     def _look(self, ball: str) -> Look:
-        return self.table.furniture.looks.get(ball) or ball_art.usual(ball)
+        return ball_art.look_of(self.table, ball)
 
     def _placed(self, ball: Ball, orientation: Quaternion, fine: bool = True) -> ball_art.Placed:
         x, y = self.view.to_screen(ball.x, ball.y)

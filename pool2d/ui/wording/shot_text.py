@@ -6,12 +6,11 @@ import math
 from string import digits
 
 from ...physics.rollout import Event, Rollout
-from ...physics.values import MISCUE, POCKETED, Ball, EventKind
+from ...physics.values import MISCUE, POCKETED, Ball
 from ...table.table import Table
 from .keys import KEYS
 from .words import known, number, say, say_or
 
-CONTACTS: tuple[EventKind, ...] = ("cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster")
 _STILL = 1e-6
 
 
@@ -26,7 +25,7 @@ def title(event: Event, cue: str) -> str:
     return begun(say(f"event.{kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
 
 
-def missed(rollout: Rollout) -> bool:
+def miscued(rollout: Rollout) -> bool:
     """Whether the tip slipped off the ball."""
     return any(event.where == MISCUE for event in rollout.events)
 

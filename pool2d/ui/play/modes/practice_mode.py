@@ -22,7 +22,7 @@ class PracticeMode(Mode):
     def at_rest(self, shown: Playback) -> Words | None:
         if shown.again:
             return lambda: ""
-        if self.session.in_hand or not shot_text.missed(shown.rollout):
+        if self.session.in_hand or not shot_text.miscued(shown.rollout):
             cue = self.session.cue.id
             return lambda: shot_text.outcome(shown.rollout, cue)
         return None
