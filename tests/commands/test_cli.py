@@ -5,60 +5,17 @@ from __future__ import annotations
 import json
 import math
 import os
-import subprocess
-import sys
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from pool2d import __version__, load_scenario, simulate
 from pool2d.cli import main
 
-PLAY = """
-[[balls]]
-id = "cue"
-x = 0.635
-y = 0.635
-[[balls]]
-id = "1"
-x = 1.905
-y = 0.635
-[shot]
-angle = -1.0
-speed = 3.0
-side = 0.2
-"""
-ROOT = Path(__file__).resolve().parents[2]
+from .cli_runs import PLAY, ROOT, Capture, answer, refusal, run
+
 STATE = {"x", "y", "vx", "vy", "wx", "wy", "wz", "phase"}
-Capture = pytest.CaptureFixture[str]
-
-
-@pytest.fixture
-def play(tmp_path: Path) -> str:
-    path = tmp_path / "play.toml"
-    path.write_text(PLAY)
-    return str(path)
-
-
-def answer(capsys: Capture, *words: str) -> list[dict[str, Any]]:
-    """The objects that `simulate --json` prints."""
-    assert main(["simulate", "--json", *words]) == 0
-    told = capsys.readouterr()
-    assert told.err == ""
-    return [json.loads(line, parse_constant=pytest.fail) for line in told.out.splitlines()]
-
-
-def refusal(capsys: Capture, *words: str) -> str:
-    """The one line that bad input gets."""
-    assert main(list(words)) == 2
-    told = capsys.readouterr()
-    assert told.out == ""
-    assert told.err.endswith("\n")
-    line = told.err[:-1]
-    assert line.isprintable()
-    return line
 
 
 def test_json_tells_the_whole_rollout(play: str, capsys: Capture) -> None:
@@ -220,10 +177,6 @@ def test_version_and_help(capsys: Capture, word: str) -> None:
     assert (__version__ if word == "--version" else "simulate") in capsys.readouterr().out
 
 
-def run(*words: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([sys.executable, *words], capture_output=True, text=True, cwd=ROOT, check=False, timeout=60)
-
-
 def test_it_is_a_program(play: str) -> None:
     """Through a fresh process, both ways in."""
     for way in (["-m", "pool2d"], ["main.py"]):
@@ -256,22 +209,6 @@ def test_a_sample_too_fine_is_refused(tmp_path: Path, capsys: pytest.CaptureFixt
     assert out == ""
     assert "--sample" in err
     assert err.count("\n") == 1
-
-
-def test_a_full_disk_is_told_in_one_line(tmp_path: Path) -> None:
-    full = Path("/dev/full")
-    if not full.exists():
-        pytest.skip("no device that is always full")
-    path = tmp_path / "s.toml"
-    path.write_text('[[balls]]\nid = "cue"\nx = 1.0\ny = 0.5\n')
-    with full.open("w") as out:
-        done = subprocess.run(
-            [sys.executable, "-m", "pool2d", "simulate", str(path)],
-            stdout=out, stderr=subprocess.PIPE, text=True, check=False,
-        )  # fmt: skip
-    assert done.returncode == 2
-    assert "cannot be written" in done.stderr
-    assert "Traceback" not in done.stderr
 
 
 @pytest.mark.parametrize(
@@ -322,78 +259,3 @@ def test_a_picture_has_any_name_that_a_file_can_have(tmp_path: Path, capsys: Cap
         assert main(["render", play, os.fsdecode(out), "--size", "64x64"]) == 0
         assert os.path.getsize(out) > 100
     assert capsys.readouterr() == ("", "")
-
-
-def test_a_link_is_written_through(tmp_path: Path, play: str) -> None:
-    link, file = tmp_path / "link.png", tmp_path / "file.png"
-    link.symlink_to(file)
-    assert main(["render", play, str(link), "--size", "64x64"]) == 0
-    assert link.is_symlink()
-    assert file.read_bytes().startswith(b"\x89PNG")
-
-
-def test_where_there_is_no_room_no_stump_is_left(play: str, tmp_path: Path) -> None:
-    """A limit on the size of a file is a full disk to who writes: a part is taken, the rest refused."""
-    code = (
-        "import resource, signal, sys; signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
-        "from pool2d.cli import main\nresource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))\nsys.exit(main())"
-    )
-    folder = tmp_path / "out"
-    folder.mkdir()
-    for out in (folder / "a.png", folder / "a.bmp"):
-        environment = {**os.environ, "POOL2D_CACHE": str(tmp_path / "cache")}
-        done = subprocess.run(
-            [sys.executable, "-c", code, "render", play, str(out), "--size", "320x180"],
-            capture_output=True, text=True, check=False, env=environment, cwd=ROOT,
-        )  # fmt: skip
-        assert (done.returncode, done.stderr) == (2, f"pool2d: {out}: cannot be written: File too large\n")
-        assert list(folder.iterdir()) == []
-
-
-def test_names_that_no_terminal_can_take_are_escaped(
-    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
-    (tmp_path / "tables").mkdir()
-    for name in (b"\xff.toml", b"\x1b[2J.toml", b"50%s.toml", b"a\nb.toml"):
-        Path(os.fsdecode(os.path.join(os.fsencode(tmp_path), b"tables", name))).write_text("name = 'Mine'")
-    (tmp_path / "tables" / "bad.toml").write_text('name = "a\\u0000"')
-    assert main(["tables"]) == 0
-    out = capsys.readouterr().out
-    assert all(line.isprintable() for line in out.splitlines())
-    for told in ("\\udcff", "\\x1b[2J", "50%s", "a\\nb", "name = 'a\\x00': allowed is a text"):
-        assert told in out
-    with pytest.raises(SystemExit):
-        main(["play", "--help"])
-    assert "50%s" in capsys.readouterr().out.replace("\n", "")
-
-
-@pytest.mark.parametrize("command", [["tables"], ["simulate", "--json", "PLAY"], ["play", "--help"], ["--version"]])
-def test_a_closed_output_is_told_in_one_line(play: str, command: list[str]) -> None:
-    words = [play if word == "PLAY" else word for word in command]
-    shell = 'exec "$@" >&-'
-    done = subprocess.run(
-        ["sh", "-c", shell, "sh", sys.executable, "-m", "pool2d", *words],
-        stderr=subprocess.PIPE, text=True, check=False, cwd=ROOT,
-    )  # fmt: skip
-    assert (done.returncode, done.stderr) == (2, "pool2d: standard output: cannot be written: it is closed\n")
-
-
-def test_an_output_of_ascii_alone_takes_every_text(play: str, tmp_path: Path) -> None:
-    data = tmp_path / "data"
-    (data / "tables").mkdir(parents=True)
-    (data / "tables" / "mine.toml").write_text('name = "Größe 球"', encoding="utf-8")
-    environment = {**os.environ, "POOL2D_DATA": str(data), "PYTHONIOENCODING": "ascii"}
-    done = subprocess.run(
-        [sys.executable, "-m", "pool2d", "tables"], capture_output=True, check=False, cwd=ROOT, env=environment
-    )
-    assert (done.returncode, done.stderr) == (0, b"")
-    assert b"Gr\\xf6\\xdfe \\u7403" in done.stdout
-
-
-def test_errors_that_nobody_can_read_are_still_a_status(play: str) -> None:
-    done = subprocess.run(
-        ["sh", "-c", 'exec "$@" 2>&-', "sh", sys.executable, "-m", "pool2d", "simulate", play + "x"],
-        stdout=subprocess.PIPE, check=False, cwd=ROOT,
-    )  # fmt: skip
-    assert (done.returncode, done.stdout) == (2, b"")

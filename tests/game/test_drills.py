@@ -18,11 +18,6 @@ from pool2d.physics.values import POCKETED
 from .rules.notation import report
 
 
-@pytest.fixture(autouse=True)
-def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("POOL2D_DATA", str(tmp_path / "data"))
-
-
 def played(drill: Drill, shots: tuple[Shot, ...]) -> Standing:
     standing = start(drill)
     for shot in shots:

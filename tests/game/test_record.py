@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import random
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -14,37 +10,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from benchmarks import replays
 from pool2d import InputError, Shot, load_table
 from pool2d.cli import main
-from pool2d.game.actions import Concede, Stroke
+from pool2d.game.actions import Stroke
 from pool2d.game.match import Match
 from pool2d.game.records.record import load, matches_folder, seal
-from pool2d.game.records.recorder import Recorder, record, records, remove, resume, unfinished
+from pool2d.game.records.recorder import record, resume, unfinished
 from pool2d.game.records.replaying import BY_RECORD, Divergence, restored, strokes, verify
 from pool2d.game.rules import GAMES
 from pool2d.game.setup import Setup, setup_of
 
-from ..random_play import new_match, random_action
+from ..random_play import new_match
+from .record_files import go_on
 
 ROOT = Path(__file__).resolve().parents[2]
-
-
-@pytest.fixture(autouse=True)
-def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("POOL2D_DATA", str(tmp_path / "data"))
-
-
-def played(recorder: Recorder, actions: int, seed: int = 1) -> Recorder:
-    """The recorder after random actions, some of them undone and done again."""
-    rng = random.Random(seed)
-    for _ in range(actions):
-        if recorder.match.over:
-            break
-        recorder.play(random_action(recorder.match, rng))
-        if rng.random() < 0.15 and recorder.undo() and rng.random() < 0.5:
-            recorder.redo()
-    return recorder
 
 
 @pytest.fixture(scope="module")
@@ -52,21 +31,21 @@ def good(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """What a record of a few actions holds."""
     path = tmp_path_factory.mktemp("good") / "a.jsonl"
     with record(new_match("nine-ball", 3), path) as recorder:
-        played(recorder, 8, seed=3)
+        go_on(recorder, 8, seed=3)
     return path.read_bytes()
 
 
 @pytest.mark.parametrize("game", GAMES)
 def test_a_record_verifies_and_is_gone_on_with(game: str) -> None:
     with record(new_match(game, 2, race=2)) as recorder:
-        played(recorder, 14)
+        go_on(recorder, 14, seed=1)
         before = recorder.match
     assert verify(load(recorder.path)) is None
     with resume(recorder.path) as again:
         assert again.match.now.ruling == before.now.ruling
         assert again.match.now.tallies == before.now.tallies
         assert [moment.action for moment in again.match.history] == [moment.action for moment in before.history]
-        played(again, 4, seed=9)
+        go_on(again, 4, seed=9)
     assert verify(load(recorder.path)) is None
 
 
@@ -94,32 +73,6 @@ def test_what_was_undone_stays() -> None:
     assert [take.moment.action for take in seen] == [Stroke(Shot(10.0, 1.0)), Stroke(Shot(20.0, 1.0))]
     assert seen[0].moment.rollout is not None
     assert len(restored(kept).match.history) == 2
-
-
-def test_unfinished_matches_are_offered_the_latest_first(tmp_path: Path) -> None:
-    assert unfinished() == []
-    paths = []
-    for seed in range(3):
-        with record(new_match("nine-ball", seed)) as recorder:
-            played(recorder, 2)
-        os.utime(recorder.path, (seed, seed))
-        paths.append(recorder.path)
-    with record(new_match("nine-ball", 9)):
-        pass  # Nothing was played: nothing to resume.
-    (matches_folder() / "noise.jsonl").write_text("noise")
-    assert unfinished() == paths[::-1]
-    assert unfinished(3) == [paths[2]]  # Beside the noise and the one that was not begun.
-    remove(paths[1])
-    assert unfinished() == [paths[2], paths[0]]
-    assert len(records()) == 4 and paths[1] not in records()
-    with resume(paths[2]) as recorder:
-        recorder.play(Concede(0))
-        assert recorder.match.over
-    assert unfinished() == [paths[0]]
-    assert verify(load(paths[2])) is None
-    with resume(paths[2]) as recorder:
-        recorder.undo()
-    assert set(unfinished()) == {paths[0], paths[2]}
 
 
 def test_a_torn_line_is_dropped_on_resuming_only(good: bytes, tmp_path: Path) -> None:
@@ -273,85 +226,6 @@ def test_no_damage_goes_unseen(good: bytes, tmp_path: Path) -> None:
         assert content[: kept.size].endswith(b"\n")
 
     check()
-
-
-def test_two_windows_do_not_write_one_record() -> None:
-    if sys.platform == "win32":
-        pytest.skip("Windows has no such locks")
-    with record(new_match("nine-ball", 3)) as recorder:
-        played(recorder, 2)
-        before = recorder.path.read_bytes()
-        with pytest.raises(InputError, match="is being played in another window"):
-            resume(recorder.path)
-    assert recorder.path.read_bytes() == before
-
-
-def test_a_full_disk_stops_the_record_not_the_match(monkeypatch: pytest.MonkeyPatch) -> None:
-    recorder = record(new_match("practice", 3))
-    recorder.play(Stroke(Shot(10.0, 1.0)))
-    whole = recorder.path.read_bytes()
-    write = os.write
-
-    def full(file: int, data: bytes) -> int:
-        write(file, bytes(data)[:10])
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, "write", full)
-    recorder.play(Stroke(Shot(20.0, 1.0)))
-    monkeypatch.undo()
-    assert "No space left on device" in str(recorder.fault)
-    recorder.play(Stroke(Shot(30.0, 1.0)))
-    assert len(recorder.match.history) == 4
-    assert recorder.path.read_bytes() == whole
-
-
-def test_a_match_begun_on_a_full_disk_is_refused_and_leaves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    write = os.write
-
-    def full(file: int, data: bytes) -> int:
-        write(file, bytes(data)[:10])
-        raise OSError(28, "No space left on device")
-
-    with monkeypatch.context() as patch:
-        patch.setattr(os, "write", full)
-        with pytest.raises(InputError, match="cannot be written: No space left on device"):
-            record(new_match("practice", 3))
-    assert records() == []
-    record(new_match("practice", 3)).close()
-    assert len(records()) == 1
-
-
-def test_a_record_is_never_written_over(tmp_path: Path) -> None:
-    path = tmp_path / "a.jsonl"
-    path.write_text("mine")
-    with pytest.raises(InputError, match="is there already"):
-        record(new_match("practice", 3), path)
-    assert path.read_text() == "mine"
-    with pytest.raises(InputError, match="cannot be written"):
-        record(new_match("practice", 3), path / "b.jsonl")
-    with pytest.raises(InputError, match="cannot be read: No such file"):
-        resume(tmp_path / "none.jsonl")
-
-
-def test_records_begun_in_the_same_second_have_names_of_their_own() -> None:
-    recorders = [record(new_match("practice", seed)) for seed in range(3)]
-    for recorder in recorders:
-        recorder.close()
-    assert len(list(matches_folder().iterdir())) == 3
-
-
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="a process is killed that was forked")
-def test_a_few_kills_lose_nothing() -> None:
-    words = [sys.executable, "-m", "benchmarks.kills", "--kills", "4"]
-    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("4 kills, ")
-    assert ", 0 faults; " in done.stdout
-
-
-def test_a_random_match_of_a_game_comes_back() -> None:
-    for what, _ in (replays.attempt(("nine-ball", 4)), replays.attempt(("practice", 4))):
-        assert what == ""
 
 
 @pytest.mark.parametrize("names", [[1, 2], [None, "Bo"]])

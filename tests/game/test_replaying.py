@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-import json
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from pool2d import InputError, Layout, Rollout, Shot, Table, load_table, simulate
+from pool2d import InputError, Layout, Shot, Table, load_table, simulate
 from pool2d.cli import main
 from pool2d.config.folders import data_folder
 from pool2d.game import match
 from pool2d.game.actions import Stroke
-from pool2d.game.match import Match, lagged
+from pool2d.game.match import Match
 from pool2d.game.records import engine, moments
 from pool2d.game.records.earlier import digest
-from pool2d.game.records.engine import Identity
-from pool2d.game.records.record import CHANGED, GONE, PLAYED_BY, Record, load, seal
+from pool2d.game.records.record import CHANGED, GONE, PLAYED_BY, load
 from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import record, resume
 from pool2d.game.records.replaying import (
@@ -29,127 +26,17 @@ from pool2d.game.records.replaying import (
     BY_MACHINE,
     BY_RECORD,
     BY_RULES,
-    UNKNOWN,
     divergences,
-    replayed,
     restored,
     strokes,
     verify,
 )
-from pool2d.game.rules import GAMES
 from pool2d.game.rules.pool import nine_ball
-from pool2d.game.setup import LAG, Setup
+from pool2d.game.setup import Setup
 from pool2d.physics.values import POCKETED
-from pool2d.table.preset import presets
-from pool2d.table.table_data import as_data, table_of
 
-from ..random_play import new_match, random_action
-
-
-@pytest.fixture(autouse=True)
-def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("POOL2D_DATA", str(tmp_path / "data"))
-
-
-def played(path: Path, game: str = "nine-ball", seed: int = 3, actions: int = 16) -> Match:
-    """A match on record, some of whose actions were undone and done again."""
-    rng = random.Random(seed)
-    with record(new_match(game, seed, race=2), path) as recorder:
-        for _ in range(actions):
-            if recorder.match.over:
-                break
-            recorder.play(random_action(recorder.match, rng))
-            if rng.random() < 0.2 and recorder.undo() and rng.random() < 0.5:
-                recorder.redo()
-        return recorder.match
-
-
-@pytest.fixture
-def path(tmp_path: Path) -> Path:
-    return tmp_path / "a.jsonl"
-
-
-def bodies(path: Path) -> list[dict[str, Any]]:
-    """What the lines of a record hold besides their sums."""
-    return [
-        {key: value for key, value in json.loads(line).items() if key != "sum"}
-        for line in path.read_text().splitlines()
-    ]
-
-
-def rewrite(path: Path, lines: list[dict[str, Any]]) -> Record:
-    """A record with good sums, whatever it says."""
-    content, total = b"", ""
-    for number, body in enumerate(lines):
-        line, total = seal({**body, "n": number}, total)
-        content += line
-    path.write_bytes(content)
-    return load(path)
-
-
-@pytest.fixture
-def other(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
-    """Have another engine, other rules or another machine play from now on, as far as they tell."""
-
-    def become(**parts: str) -> None:
-        now = engine.identity()._replace(**parts)
-        monkeypatch.setattr(engine, "identity", lambda: now)
-
-    return become
-
-
-@pytest.fixture
-def faster(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
-    """Have every shot roll a little further from now on."""
-
-    def become() -> None:
-        def roll(table: Table, layout: Layout, shot: Shot) -> Rollout:
-            return simulate(table.with_knobs({"cloth.mu_roll": 0.97 * table.knobs.cloth.mu_roll}), layout, shot)
-
-        monkeypatch.setattr(match, "simulate", roll)
-
-    return become
-
-
-def stands(a: Match, b: Match) -> bool:
-    """Whether two matches are the same to the bit, at every moment."""
-    pairs = zip(a.history, b.history, strict=True)
-    return digest(a) == digest(b) and all(moments.same(x, y) and x.action == y.action for x, y in pairs)
-
-
-# The table.
-
-
-@pytest.mark.parametrize("name", presets())
-def test_a_table_comes_back_from_its_data(name: str) -> None:
-    table = load_table(name, {"cloth.mu_roll": 0.0123, "ball.law": "frictionless"}, ["worn-cloth"])
-    back = table_of(json.loads(json.dumps(as_data(table))), "record")
-    assert (back.source, back.title, back.set, back.conditions) == (
-        table.source,
-        table.title,
-        table.set,
-        ("worn-cloth",),
-    )
-    assert (back.knobs, back.base) == (table.knobs, table.base)
-    assert back.furniture == table.furniture
-    # Racks and groups are also drawn from in their order.
-    assert list(back.furniture.racks) == list(table.furniture.racks)
-    assert list(back.furniture.groups) == list(table.furniture.groups)
-    assert back.boxes() == table.boxes() and back.geometry.outline == table.geometry.outline
-    assert as_data(back) == as_data(table)
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"title": "a\nb"}, {"title": 3}, {"knobs": {"cloth.mu_roll": "x"}}, {"knobs": {"x": 1}}, {"knobs": None},
-        {"furniture": {"spots": {}}}, {"furniture": []}, {"furniture": {"outline": [{"x": 0.0, "y": 0.0}]}},
-        {"set": {"cloth.mu_roll": 9e9}}, {"conditions": "worn"},
-    ],
-)  # fmt: skip
-def test_the_data_of_no_table_is_refused(change: dict[str, object]) -> None:
-    with pytest.raises(InputError, match=r"^record: "):
-        table_of({**as_data(load_table("pool-7ft")), **change}, "record")
+from ..random_play import random_action
+from .record_files import bodies, played, rewrite, stands
 
 
 def own_preset(mu_roll: float = 0.01, cue: str = "") -> Path:
@@ -189,71 +76,6 @@ def test_a_match_goes_on_on_the_table_that_it_had(path: Path, lost: bool, capsys
 def test_the_table_is_written_once(path: Path) -> None:
     played(path)
     assert ["table" in body for body in bodies(path)] == [True] + [False] * (len(bodies(path)) - 1)
-
-
-# Moments.
-
-
-@pytest.mark.parametrize("game", GAMES)
-@pytest.mark.parametrize("breaker", [0, LAG])
-def test_every_moment_comes_back_from_its_line(game: str, breaker: int) -> None:
-    try:
-        played_match = new_match(game, 2, race=2)
-        played_match = Match(played_match.table, replace(played_match.setup, breaker=breaker, names=()))
-    except InputError:
-        return  # Nobody lags alone.
-    rng = random.Random(f"{game} {breaker}")
-    for _ in range(30):
-        now = played_match.now
-        line = json.loads(json.dumps(moments.as_dict(now)))
-        back = moments.moment_of(line, played_match, "line")
-        assert back == replace(now, action=None, rollout=None, report=None)
-        assert repr(back.layout) == repr(now.layout)
-        if played_match.over:
-            break
-        ask = played_match.ask
-        lagging = lagged(played_match.state) and ask.kind == "aim"
-        stroke = Stroke(Shot(0.0, rng.uniform(1.2, 1.8), ball=ask.ball))
-        played_match.play(stroke if lagging else random_action(played_match, rng))
-
-
-@pytest.mark.parametrize(
-    "change",
-    [
-        {"balls": 3}, {"balls": "cue@x"}, {"balls": ""}, {"game": None}, {"game": {"turn": "x"}}, {"game": {"luck": 1}},
-        {"game": {"turn": 2}}, {"game": {"ask": 3}}, {"game": {"ask": {"kind": "aim", "who": 3}}},
-        {"game": {"ask": {"kind": "aim", "who": 0, "ball": "x"}}}, {"game": {"ask": {"kind": "fly", "who": 0}}},
-        {"game": {"scores": [1]}}, {"game": {"scores": [0, None]}}, {"tallies": []}, {"tallies": [{}]},
-        {"tallies": [{"frames": 1.5}, {}]}, {"tallies": [{"luck": 1}, {}]}, {"turn": [0, 0]}, {"turn": [0, 0, 7]},
-        {"turn": [0, 0, True]}, {"notes": 3}, {"notes": [3]}, {"notes": [{"key": 3}]}, {"notes": [{"who": 3}]},
-        {"spotted": [["9"]]}, {"spotted": [["9", ["a", 1]]]}, {"points": [1]}, {"points": "12"},
-    ],
-)  # fmt: skip
-def test_what_is_no_moment_is_refused(change: dict[str, Any]) -> None:
-    game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
-    line = json.loads(json.dumps(moments.as_dict(game.now)))
-    if isinstance(change.get("game"), dict):
-        change = {"game": {**line["game"], **change["game"]}}
-    with pytest.raises(InputError, match=r"^line: "):
-        moments.moment_of({**line, **change}, game, "line")
-
-
-def test_who_is_asked_keeps_the_name_that_records_have_for_it() -> None:
-    game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
-    line = json.loads(json.dumps(moments.as_dict(game.now)))
-    ask = line["game"]["ask"]
-    assert list(ask)[:2] == ["kind", "who"] and "player" not in ask
-    refused: list[tuple[dict[str, Any], str]] = [({"who": "x"}, "game.who"), ({"player": 0}, "player")]
-    for change, key in refused:
-        with pytest.raises(InputError, match=rf"^line: {key} = "):
-            moments.moment_of({**line, "game": {**line["game"], "ask": {**ask, **change}}}, game, "line")
-
-
-def test_a_note_that_this_version_has_no_words_for_is_left_out() -> None:
-    game = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0))
-    line = moments.as_dict(game.now)
-    back = moments.moment_of({**line, "notes": [{"key": "foul.talking"}, *line["notes"]]}, game, "line")
-    assert back.ruling.notes == game.now.ruling.notes
 
 
 # Another engine.
@@ -449,96 +271,3 @@ def test_a_ball_that_fell_is_seen_to_fall_where_it_did(
         assert [(e.balls[0], e.where) for e in drops if e.balls[0] in dict(wanted)] == wanted
         seen += len(wanted)
     assert seen
-
-
-# Records of earlier versions.
-
-EARLIER = {"practice": "122f8cb2ba7dae8b", "eight-ball": "4556f79632c0693b", "straight-rail": "48f6db1832bc4018"}
-
-
-def as_before(path: Path) -> Iterator[dict[str, Any]]:
-    """The lines of a record as versions wrote them that told a table by its names, and a digest of each moment."""
-    gone = {PLAYED_BY, "balls", "game", "tallies", "turn", "notes", "fouls", "spotted", "points", "fell", "lag"}
-    for entry, game, _ in replayed(load(path)):
-        body = {key: value for key, value in entry.data.items() if key not in gone | {"sum"}}
-        if "table" in body:
-            body["table"] = {key: body["table"][key] for key in ("name", "conditions", "set")}
-        yield {**body, "state": digest(game)}
-
-
-@pytest.mark.parametrize("game", GAMES)
-def test_records_of_earlier_versions_open_and_verify(path: Path, game: str) -> None:
-    before = played(path, game, actions=8)
-    kept = rewrite(path, list(as_before(path)))
-    assert verify(kept) is None
-    assert (kept.outdated, kept.played_by) == ("", None)
-    with resume(path) as again:
-        assert stands(again.match, before) and again.changes == ()
-        if not again.match.over:
-            again.play(random_action(again.match, random.Random(5)))
-        after = again.match
-    assert verify(load(path)) is None
-    with resume(path) as again:
-        assert stands(again.match, after)
-
-
-def test_a_record_whose_first_stroke_cannot_be_played_is_none_to_look_at(path: Path) -> None:
-    with record(Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0)), path) as recorder:
-        recorder.play(Stroke(Shot(0.0, 3.0)))
-    lines = bodies(path)
-    lines[1]["shot"] = "1:0.0,3.0"
-    with pytest.raises(InputError, match="line 2: stroke is refused"):
-        RecordedShots(rewrite(path, lines))
-
-
-def test_the_digest_of_earlier_versions_is_what_it_was() -> None:
-    # Worked out by the version that wrote them, of a match that nobody has played yet.
-    for game, told in EARLIER.items():
-        assert digest(new_match(game, 4)) == told
-
-
-def test_an_earlier_record_that_no_longer_plays_is_told_as_ever(path: Path, faster: Callable[[], None]) -> None:
-    played(path)
-    kept = rewrite(path, list(as_before(path)))
-    faster()
-    found = list(divergences(kept))
-    assert [one.why for one in found] == [UNKNOWN]
-    assert str(found[0]).endswith("the table or pool2d has changed since")
-    content = path.read_bytes()
-    with pytest.raises(InputError, match="the table or pool2d has changed since"):
-        resume(path)
-    assert path.read_bytes() == content
-
-
-# What plays.
-
-
-def test_an_engine_is_told_by_its_sources() -> None:
-    mine = engine.identity()
-    assert mine == engine.identity() and len(set(mine)) == 3
-    assert all(len(part) == 16 and int(part, 16) >= 0 for part in mine)
-    root = Path(engine.__file__).resolve().parents[2]
-    assert all((root / part).exists() for part in (*engine.ENGINE, *engine.RULES))
-    # Whatever module there is of the physics or the rules counts, and none of the window.
-    assert {part.partition("/")[0] for part in (*engine.ENGINE, *engine.RULES)}.isdisjoint({"ui"})
-
-
-def test_another_source_is_another_engine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "physics").mkdir()
-    source = tmp_path / "physics" / "a.py"
-    monkeypatch.setattr(resources, "files", lambda package: tmp_path)
-    seen = set()
-    for text in (b"a = 1\n", b"a = 2\n", b"a = 1\nb = 2\n"):
-        source.write_bytes(text)
-        seen.add(engine._digest_of(("physics",)))
-    assert len(seen) == 3
-    # The ends of lines are the system's.
-    source.write_bytes(b"a = 1\r\nb = 2\r\n")
-    assert engine._digest_of(("physics",)) in seen
-    assert engine._digest_of(("nothing.py",)).startswith("version ")
-
-
-@pytest.mark.parametrize("data", [None, 3, [], ["a", "b"], ["a", "b", 3], {"engine": "a"}])
-def test_what_tells_no_engine_is_none(data: object) -> None:
-    assert engine.identity_of(data) is None
-    assert engine.identity_of(["a", "b", "c"]) == Identity("a", "b", "c")

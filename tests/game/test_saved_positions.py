@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from pool2d import Ball, InputError, Layout, Shot, load_table
 from pool2d.game.saved_positions import load, positions, save
 from pool2d.physics.values import POCKETED
 from pool2d.table.placing import mirrored
-
-
-@pytest.fixture(autouse=True)
-def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("POOL2D_DATA", str(tmp_path / "data"))
 
 
 def test_a_position_is_kept_to_the_bit() -> None:

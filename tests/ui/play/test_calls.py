@@ -12,10 +12,8 @@ import pytest
 from pool2d import Ball, Layout
 from pool2d.draw import theme
 from pool2d.game.actions import Stroke
-from pool2d.game.rules import AIM, CHOOSE, Ruling
+from pool2d.game.rules import Ruling
 from pool2d.game.rules.report import Call
-from pool2d.game.session import Session
-from pool2d.physics.values import POCKETED
 from pool2d.ui.play import play_view
 from pool2d.ui.play.call_words import off_target, verdict
 from pool2d.ui.widgets.widget import Button
@@ -24,35 +22,7 @@ from pool2d.ui.wording import ruling_text
 from ...game.rules.notation import report
 from ..at_match import begin, in_hand, place
 from ..conftest import FRAME, Hand
-
-
-def test_a_choice_is_offered_as_buttons_and_taken_by_digit(hand: Hand) -> None:
-    session = begin(hand)
-    # A break that is too soft: the opponent may choose.
-    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    hand.strike()
-    assert session.ask.kind == CHOOSE
-    assert len(hand.play.controller.call_strip.form.widgets) == len(session.ask.options) > 1
-    strokes = session.strokes
-    hand.key(pygame.K_SPACE, 0)
-    hand.key(pygame.K_1)
-    assert session.ask.kind != CHOOSE
-    assert session.strokes <= strokes
-
-
-def test_a_button_of_the_strip_is_pressed_by_mouse_and_moves_no_aim(hand: Hand) -> None:
-    session = begin(hand)
-    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    hand.strike()
-    hand.app.step(0.0)
-    button = hand.play.controller.call_strip.form.widgets[1]
-    aim = hand.play.state.hands.aim
-    hand.move(button.rect.center)
-    hand.press()
-    assert hand.play.state.hands.pull is None
-    hand.release()
-    assert session.ask.kind != CHOOSE
-    assert hand.play.state.hands.aim == aim
+from .called_shots import at, click, lined_up
 
 
 def test_a_pocket_is_called_by_a_click_and_by_key(hand: Hand) -> None:
@@ -108,51 +78,6 @@ def test_what_was_called_in_one_match_is_not_said_in_the_next(hand: Hand) -> Non
     assert hand.play.state.session.strokes == 1
 
 
-def test_a_strike_key_that_is_hit_on_and_on_plays_no_shot_for_the_other(hand: Hand) -> None:
-    session = begin(hand, "nine-ball")
-    for _ in range(6):
-        hand.key(pygame.K_SPACE)
-    assert session.strokes == 1 and session.ask.kind == AIM
-    # A window that were still would sleep, and never come to the end of that.
-    assert not hand.play.still
-    for _ in range(30):
-        hand.app.step(FRAME)
-    hand.key(pygame.K_SPACE)
-    assert session.strokes == 1 and "Once more" in hand.play.state.messages.text
-    hand.key(pygame.K_SPACE)
-    assert session.strokes == 2
-
-
-def test_nor_does_it_choose(hand: Hand) -> None:
-    session = begin(hand)
-    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(1.0).toward(1.0, 0.0)
-    for _ in range(6):
-        hand.key(pygame.K_SPACE)
-    assert session.ask.kind == CHOOSE and session.strokes == 1
-    hand.app.step(0.5)
-    hand.key(pygame.K_SPACE)
-    assert session.ask.kind != CHOOSE
-
-
-def test_a_push_out_is_told_of(hand: Hand) -> None:
-    session = begin(hand, "nine-ball")
-    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(9.0).toward(1.0, 0.02)
-    hand.strike()
-    while session.ask.kind == CHOOSE or session.ask.where:
-        session.place(0.5, 0.5) if session.ask.where else session.choose(session.ask.options[0])
-        hand.app.redraw()
-        hand.app.step(0.0)
-        if session.ask.kind == AIM:
-            break
-    assert "push" in session.ask.may and "A push out may be called." in verdict(hand.play.state.calls, session)
-    hand.play.state.calls.push = True
-    assert off_target(hand.play.state.calls, session, "9") == ""
-    name = session.match.names[session.ask.player]
-    hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(0.4).turned(90.0)
-    hand.strike()
-    assert f"{name} pushes out." in hand.play.state.messages.text
-
-
 def test_a_stroke_may_begin_on_a_pocket(hand: Hand) -> None:
     session = begin(hand, "straight")
     pocket = session.table.geometry.pockets[0]
@@ -169,46 +94,6 @@ def test_a_ball_of_many_alike_is_called_without_its_number(hand: Hand) -> None:
     session = begin(hand, "english-eight-ball", "english-7ft")
     assert off_target(hand.play.state.calls, session, "yellow2") == ""
     assert ruling_text.ball("yellow2") == "yellow" and ruling_text.ball("9") == "9"
-
-
-def lined_up(hand: Hand, game: str = "ten-ball") -> Session:
-    """A match whose break is over, with the 1 on, and the 9 lined up behind it for a corner pocket."""
-    session = begin(hand, game)
-    layout, table = session.layout, session.table
-    corner = next(pocket for pocket in table.geometry.pockets if pocket.name == "top-right")
-    nine = (corner.x - 0.20, corner.y - 0.20)
-    two_r = 2.0 * table.knobs.ball.radius / math.sqrt(2.0)
-    one = (nine[0] - two_r - 0.02, nine[1] - two_r - 0.02)
-    places = {"cue": (one[0] - 0.4, one[1] - 0.4), "1": one, "9": nine, "10": (0.3, 0.3)}
-    layout = Layout(
-        ball._replace(x=places[ball.id][0], y=places[ball.id][1])
-        if ball.id in places
-        else ball._replace(phase=POCKETED)
-        for ball in layout.values()
-    )
-    rules: Any = session.match.rules
-    state = replace(session.match.state, shots=3, turn=0)
-    if game == "ten-ball":
-        state = replace(state, ask=replace(state.ask, kind=AIM, where="", on=("1",), call="pocket", options=()))
-    else:
-        state = rules.next(state, layout, 0)
-    now = session.match.now
-    session.match._past[-1] = replace(now, ruling=Ruling(state, layout))
-    hand.app.redraw()
-    hand.app.step(0.0)
-    return session
-
-
-def click(hand: Hand, x: float, y: float) -> None:
-    hand.point(x, y)
-    hand.press()
-    hand.release()
-
-
-def at(session: Session, name: str) -> tuple[float, float]:
-    """Where a ball or a pocket is."""
-    pockets = {pocket.name: (pocket.x, pocket.y) for pocket in session.table.geometry.pockets}
-    return pockets.get(name) or (session.layout[name].x, session.layout[name].y)
 
 
 @pytest.mark.parametrize("by", ["mouse", "keys"])
@@ -255,17 +140,6 @@ def test_the_same_click_takes_a_call_back(hand: Hand, name: str) -> None:
     click(hand, *at(session, name))
     assert (calls.ball, calls.pocket) == ("", "")
     assert hand.play.state.session.strokes == 3
-
-
-def test_shift_and_the_key_go_back(hand: Hand) -> None:
-    session = lined_up(hand)
-    calls = hand.play.state.calls
-    hand.key(pygame.K_F9)
-    assert calls.ball == "1"
-    hand.key(pygame.K_F9, pygame.KMOD_SHIFT)
-    assert calls.ball == ""
-    hand.key(pygame.K_F9, pygame.KMOD_SHIFT)
-    assert calls.ball == calls.balls(session)[-1]
 
 
 def test_a_call_is_said_in_the_bar_and_seen_on_the_table(hand: Hand) -> None:
@@ -339,16 +213,6 @@ def test_a_ball_without_its_pocket_counts_only_where_it_is_obvious() -> None:
     assert replace(straight, call=Call("2")).called() == ""
     assert replace(through, call=Call("2")).called() == ""
     assert replace(through, call=Call("2", "top-left")).called() == "2"
-
-
-def test_a_safety_is_said_in_place_of_a_call_and_the_other_way_round(hand: Hand) -> None:
-    session = lined_up(hand, "eight-ball")
-    calls = hand.play.state.calls
-    click(hand, *at(session, "9"))
-    hand.key(pygame.K_2)
-    assert calls.safety and calls.ball == ""
-    click(hand, *at(session, "9"))
-    assert calls.ball == "9" and not calls.safety
 
 
 def test_a_colour_is_nominated_by_a_click(hand: Hand) -> None:
