@@ -100,8 +100,8 @@ def tuned(hand: Hand) -> None:
     hand.key(pygame.K_SPACE)
     hand.key(pygame.K_t)
     hand.app.step(0.0)
-    assert hand.play.controller.tuning is not None
-    slider = next(widget for widget in hand.play.controller.tuning.form.widgets if isinstance(widget, Slider))
+    assert hand.play.controller.tuning_panel is not None
+    slider = next(widget for widget in hand.play.controller.tuning_panel.form.widgets if isinstance(widget, Slider))
     hand.move((slider.rect.left + slider.rect.width * 0.8, slider.rect.bottom - 1.5 * hand.play.stage.screen.unit))
     hand.press()
     hand.release()

@@ -1,4 +1,4 @@
-"""The window: sizes, help, pictures, quitting, and a preset that changes while it is open."""
+"""The window: sizes, help, pictures, quitting."""
 
 from __future__ import annotations
 
@@ -6,9 +6,7 @@ import errno
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 import pygame
 import pytest
@@ -21,7 +19,6 @@ from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import unfinished
 from pool2d.game.session import recorded
 from pool2d.game.setup import Setup
-from pool2d.table.preset import preset_path
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import Help, hands, keys
 from pool2d.ui.replay.replay_scene import Replay
@@ -235,61 +232,6 @@ def test_a_screenshot_that_cannot_be_saved_is_told(hand: Hand, tmp_path: Path, m
     assert hand.app.toasts.notes[0].wrong
 
 
-class Own(NamedTuple):
-    """A window on a table of one's own, its file, and what was in it at first."""
-
-    app: App
-    preset: Path
-    good: str
-
-
-@pytest.fixture
-def own(tmp_path: Path) -> Iterator[Own]:
-    preset = tmp_path / "mine.toml"
-    good = preset_path("pool-9ft").read_text()
-    preset.write_text(good)
-    app = App(load_table(str(preset)), seed=1)
-    app.step(0.0)
-    yield Own(app, preset, good)
-    app.close()
-
-
-def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(own: Own) -> None:
-    app, preset, good = own
-    preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
-    app.step(1.0)
-    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
-    preset.write_text(good + "\n[cloth]\nmu_rol = 0.03\n")
-    app.step(1.0)
-    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
-    assert "mu_rol" in app.play.state.messages.warning and "mu_roll?" in app.play.state.messages.warning
-    line = len(good.splitlines()) + 3
-    assert f"line {line}:" in app.play.state.messages.warning
-    preset.unlink()
-    app.step(1.0)
-    assert "cannot be read" in app.play.state.messages.warning
-    preset.write_text(good)
-    app.step(1.0)
-    assert app.play.state.messages.warning == ""
-    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.01
-
-
-def test_a_change_of_the_base_is_taken_too(tmp_path: Path) -> None:
-    base, mine = tmp_path / "base.toml", tmp_path / "mine.toml"
-    base.write_text('base = "pool-9ft"\n[cloth]\nmu_roll = 0.012\n')
-    mine.write_text('base = "base.toml"\n[ball]\nrestitution = 0.93\n')
-    app = App(load_table(str(mine)), seed=1)
-    try:
-        app.step(0.0)
-        assert app.play.state.session.table.knobs.cloth.mu_roll == 0.012
-        base.write_text('base = "pool-9ft"\n[cloth]\nmu_roll = 0.0215\n')
-        app.step(1.0)
-        assert app.play.state.session.table.knobs.cloth.mu_roll == 0.0215
-        assert app.play.state.session.table.knobs.ball.restitution == 0.93
-    finally:
-        app.close()
-
-
 def test_a_missing_font_is_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     pygame.font.init()
     text.font.cache_clear()
@@ -303,19 +245,6 @@ def test_the_window_is_named_after_the_table_that_is_played_on(hand: Hand) -> No
     hand.play.state.open_table("snooker-12ft")
     hand.app.step(FRAME)
     assert pygame.display.get_caption()[0] == "pool2d \N{EN DASH} " + load_table("snooker-12ft").title
-
-
-def test_a_match_keeps_its_table_and_practice_takes_what_was_saved_meanwhile(own: Own) -> None:
-    app, preset, good = own
-    app.scene = app.lobby.begin(recorded(app.play.state.session.table, Setup("nine-ball", breaker=0)))
-    preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
-    app.step(1.0)
-    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.01
-    assert app.play.state.messages.warning == ""
-    app.lobby.leave()
-    app.scene = app.play
-    app.step(1.0)
-    assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
 
 
 def test_the_window_is_named_after_the_table_of_a_replay(hand: Hand) -> None:

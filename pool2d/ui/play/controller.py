@@ -22,6 +22,7 @@ from .editing import Editing
 from .positions import Positions
 from .state import PlayState, Wish
 from .tuning import Tuning
+from .tuning_panel import TuningPanel
 
 Pos = tuple[int, int]
 
@@ -32,7 +33,7 @@ _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1
 class Controller:
     """Changes a state as hands ask for it; `scene` is what pages open over, `stage` where the table is on the window.
 
-    `call_strip`, `timeline` and `tuning` are what hands can take hold of beside the table.
+    `call_strip`, `timeline` and `tuning_panel` are what hands can take hold of beside the table.
     """
 
     def __init__(self, state: PlayState, stage: Stage, scene: Scene) -> None:
@@ -43,10 +44,10 @@ class Controller:
         self.call_strip = CallStrip(state.calls)
         self.editing = Editing(state, stage)
         self.positions = Positions(state, scene)
-        self._tuning: Tuning | None = None
+        self._panel: TuningPanel | None = None
         # Who is asked, in this order, what an event means; the first who takes it is the last.
         self._takers: tuple[Callable[[pygame.event.Event], bool], ...] = (
-            self._panel,
+            self._to_panel,
             self._notice,
             self._strip,
             lambda event: stage.camera.handle(event, pygame.key.get_mods()),
@@ -75,10 +76,15 @@ class Controller:
         }
 
     @property
-    def tuning(self) -> Tuning | None:
+    def tuning_panel(self) -> TuningPanel | None:
         """The tuning panel, while it is open over the session that is played."""
-        panel = self._tuning
-        return panel if panel is not None and panel.session is self.state.session else None
+        panel = self._panel
+        return panel if panel is not None and panel.tuning.session is self.state.session else None
+
+    @property
+    def tuning(self) -> Tuning | None:
+        """How the table is tuned, while the panel is open."""
+        return None if self.tuning_panel is None else self.tuning_panel.tuning
 
     def handle(self, event: pygame.event.Event) -> None:
         """Do what an event means."""
@@ -89,9 +95,9 @@ class Controller:
         state = self.state
         self.call_strip.follow(state.session)
         self.call_strip.form.update(dt)
-        if self.tuning is not None:
-            self.tuning.follow(state.hands.aim.shot(state.session.cue.id))
-            self.tuning.update(dt)
+        if self.tuning_panel is not None:
+            self.tuning_panel.tuning.follow(state.hands.aim.shot(state.session.cue.id))
+            self.tuning_panel.update(dt)
         rested = state.update(dt)
         if rested is not None and not rested.review and state.playback is None and state.hands.pointer is not None:
             self._move(state.hands.pointer)
@@ -100,7 +106,7 @@ class Controller:
     def lay_out(self, screen: Screen) -> None:
         """Put the table and all that hands take hold of in their places in a window."""
         session = self.state.session
-        panel = self.tuning.place(screen) if self.tuning is not None else 0
+        panel = self.tuning_panel.place(screen) if self.tuning_panel is not None else 0
         self.stage.lay_out(screen, session.table, panel)
         self.timeline.place(screen, panel)
         if self.state.playback is None:
@@ -108,7 +114,7 @@ class Controller:
 
     def leave(self) -> None:
         """The hands leave the table: nothing is held any more."""
-        for form in (self.call_strip.form, *([self.tuning.form] if self.tuning is not None else [])):
+        for form in (self.call_strip.form, *([self.tuning_panel.form] if self.tuning_panel is not None else [])):
             form.let_go()
         self._fast_forward(False)
         self.stage.camera.let_go()
@@ -118,9 +124,10 @@ class Controller:
 
     # The takers.
 
-    def _panel(self, event: pygame.event.Event) -> bool:
+    def _to_panel(self, event: pygame.event.Event) -> bool:
         """The tuning panel, unless a hand is at the cue."""
-        return self.tuning is not None and not self.state.hands.busy and self.tuning.handle(event)
+        panel = self.tuning_panel
+        return panel is not None and not self.state.hands.busy and panel.handle(event)
 
     def _notice(self, event: pygame.event.Event) -> bool:
         """Only look where the hands are."""
@@ -275,7 +282,7 @@ class Controller:
         if self.tuning is None and state.playback is None and not busy:
             state.go_to(Wish.PAUSED)
         if not busy:
-            self._tuning = None
+            self._panel = None
         self._put_down()
 
     def _replay(self, hold: bool = False) -> None:
@@ -303,9 +310,9 @@ class Controller:
             return
         if self.tuning is None:
             aimed = state.hands.aim.shot(state.session.cue.id)
-            self._tuning = Tuning(state.session, aimed, self._ask_name, state.open_table)
+            self._panel = TuningPanel(Tuning(state.session, aimed), self._ask_name, state.open_table)
         else:
-            self._tuning = None
+            self._panel = None
 
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:

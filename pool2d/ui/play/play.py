@@ -106,8 +106,8 @@ class Play(Scene):
         show = self.state.show
         show.level = GUIDES.index(values.aiming.guide)
         show.effects, show.style = effects_of(values), style_of(values)
-        if self.controller.tuning is not None:
-            self.controller.tuning.fill()
+        if self.controller.tuning_panel is not None:
+            self.controller.tuning_panel.fill()
 
     def drill(self, drill: Drill, home: Scene) -> Scene:
         """Play a drill; Esc goes back to `home`, or where one is played already to where that was chosen."""

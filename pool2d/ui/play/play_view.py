@@ -32,13 +32,13 @@ _HOP = 0.005
 
 def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
     """Draw the whole window, as it was laid out."""
-    show, stage, tuning, step = state.show, controller.stage, controller.tuning, state.mode.step
+    show, stage, panel, step = state.show, controller.stage, controller.tuning_panel, state.mode.step
     surface, table, shown = frame.surface, state.session.table, state.playback
     stage.style = show.style
     stage.begin(frame)
     if step is not None:
         marks.draw(surface, stage.view, table, step)
-    if step is not None or show.geometry or show.vectors or tuning is not None:
+    if step is not None or show.geometry or show.vectors or panel is not None:
         frame.cover()
     if shown is None:
         _at_rest(frame, state, controller)
@@ -59,8 +59,8 @@ def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
         frame.replace([stage.screen.bottom])
     if shown is None:
         controller.call_strip.draw(surface)
-    if tuning is not None:
-        tuning.draw(surface)
+    if panel is not None:
+        panel.draw(surface)
 
 
 def notes(state: PlayState, speed: float) -> str:

@@ -133,8 +133,8 @@ def test_a_long_text_moves_to_keep_the_cursor_in_sight() -> None:
 
 def test_save_as_opens_with_its_text_selected_and_letters_are_only_letters(hand: Hand) -> None:
     hand.key(pygame.K_t)
-    assert hand.play.controller.tuning is not None
-    hand.play.controller.tuning.save()
+    assert hand.play.controller.tuning_panel is not None
+    hand.play.controller.tuning_panel.save()
     asked = hand.play.state.wish
     assert isinstance(asked, TextPrompt)
     hand.app.scene = asked

@@ -21,7 +21,7 @@ from pool2d.game.setup import BREAKS
 from pool2d.table.preset import conditions, title_of
 from pool2d.table.table_knobs import Knobs
 from pool2d.ui.dialogs.options import PAGES, PALETTES
-from pool2d.ui.play import tuning
+from pool2d.ui.play import tuning_panel
 from pool2d.ui.stage import timeline
 from pool2d.ui.stage.legend import LEGEND
 from pool2d.ui.wording import words
@@ -132,7 +132,7 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [f"setting.{name}{ending}" for name in turned for ending in ("", "_hint")]
     wanted += [*KNOBS, *(f"choice.{value}" for knob in KNOBS.values() for value in knob.choices)]
     wanted += [f"condition.{name}" for name in conditions()]
-    wanted += [f"tuning.page.{page}" for page in tuning.PAGES]
+    wanted += [f"tuning.page.{page}" for page in tuning_panel.PAGES]
     wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in LEGEND]
     wanted += [f"match.breaks_by.{name}" for name in BREAKS]

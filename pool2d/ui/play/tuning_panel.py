@@ -1,0 +1,206 @@
+"""The tuning panel: every knob of the table as a widget."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pygame
+
+from ...config.knobs import Knob, walk
+from ...draw import theme
+from ...errors import InputError
+from ...table.preset import conditions, presets, title_of
+from ...table.table import Table
+from ..screen import Screen
+from ..widgets.form import Form
+from ..widgets.inputs import ListBox, Selector, Slider
+from ..widgets.widget import Button, Heading, Tabs, Widget
+from ..wording.ruling_text import preset_title, table_title
+from ..wording.words import number, say, say_or, unit
+from .tuning import NOTHING, Tuning
+
+# The panel's pages, and the knobs on each by the beginning of their names.
+PAGES = {
+    "cloth": ("gravity", "cloth."),
+    "balls": ("ball.",),
+    "cushions": ("cushion.",),
+    "pockets": ("corner.", "side."),
+    "cue": ("cue.",),
+    "table": ("table.",),
+}
+
+
+class TuningPanel:
+    """The panel by which hands tune a table: `tuning` is what they turn.
+
+    `save` asks for a name to save the table by, `go_to` goes over to another preset.
+    """
+
+    def __init__(self, tuning: Tuning, save: Callable[[], None], go_to: Callable[[str], None]) -> None:
+        self.tuning = tuning
+        self.page = "cloth"
+        self._save = save
+        self._go_to = go_to
+        self.chosen = tuning.session.table.source
+        self._titles: dict[str, str] = {}
+        self.form = Form([])
+        self.fill()
+
+    @property
+    def _table(self) -> Table:
+        """The table that is tuned."""
+        return self.tuning.session.table
+
+    # What the hands do.
+
+    def handle(self, event: pygame.event.Event) -> bool:
+        """Take an event; whether it was meant for the panel."""
+        return self.form.handle(event)
+
+    def update(self, dt: float) -> None:
+        self.form.update(dt)
+
+    def place(self, screen: Screen) -> int:
+        """Lay the panel out on the right of the table; returns how wide it is, in pixels."""
+        width = min(44 * screen.unit, screen.width // 2)
+        self.form.place(pygame.Rect(screen.width - width, screen.top.bottom, width, screen.table[3]), screen.unit)
+        return width
+
+    def draw(self, surface: pygame.Surface) -> None:
+        self.form.draw(surface)
+
+    # What buttons do.
+
+    def go(self) -> None:
+        """Leave this table for the chosen one."""
+        if self.chosen not in presets():
+            self.tuning.error = say("tuning.choose")
+            return
+        try:
+            self._go_to(self.chosen)
+        except InputError as error:
+            self.tuning.error = str(error)
+
+    def save(self) -> None:
+        """Ask for a name to save the table by; what was refused before it is over."""
+        self.tuning.error = ""
+        self._save()
+
+    # What is on the panel.
+
+    def fill(self) -> None:
+        """Put the open page on the panel, in the language of the moment."""
+        rows: list[list[Widget]] = [
+            [Heading(lambda: say("tuning.title"), theme.TEXT, large=True)],
+            [Heading(self._summary)],
+            [Tabs(list(PAGES), lambda: self.page, self._open, lambda page: say(f"tuning.page.{page}"))],
+            *([self._widget(name, knob)] for name, knob, _ in self._knobs() if name.startswith(PAGES[self.page])),
+            *self._tables(),
+            *self._others(),
+            [
+                Button(say("tuning.swap"), self.tuning.swap, say("tuning.swap_hint")),
+                Button(say("tuning.reset"), self.tuning.reset, say("tuning.reset_hint")),
+                Button(say("tuning.save"), self.save, say("tuning.save_hint"), strong=True),
+            ],
+        ]
+        self.form.set_rows(rows)
+
+    def _others(self) -> list[list[Widget]]:
+        """What is laid over the preset, and what it is compared with."""
+        return [
+            [
+                Selector(
+                    say("tuning.conditions"),
+                    lambda: [NOTHING, *conditions()],
+                    self._conditions,
+                    self.tuning.condition,
+                    say("tuning.conditions_hint"),
+                    _condition,
+                )
+            ],
+            [
+                Selector(
+                    say("tuning.compare"),
+                    lambda: [NOTHING, *filter(self.tuning.has_room_on, presets())],
+                    self._compared,
+                    self.tuning.compare,
+                    say("tuning.compare_hint"),
+                    lambda name: say("tuning.nothing") if name == NOTHING else self._title(name),
+                )
+            ],
+        ]
+
+    def _tables(self) -> list[list[Widget]]:
+        """On the page of that name: the presets, to play on another."""
+        if self.page != "table":
+            return []
+        return [
+            [ListBox(presets, lambda: self.chosen, self._choose, lines=6, shown=self._title)],
+            [Button(say("tuning.go"), self.go, say("tuning.go_hint"))],
+        ]
+
+    def _choose(self, name: str) -> None:
+        self.chosen = name
+
+    def _title(self, name: str) -> str:
+        """The title of a preset; its file is read once as long as the panel is open."""
+        if name not in self._titles:
+            self._titles[name] = title_of(name)
+        return preset_title(name, self._titles[name])
+
+    def _conditions(self) -> str:
+        return ", ".join(self._table.conditions) or NOTHING
+
+    def _open(self, page: str) -> None:
+        self.page = page
+        self.fill()
+
+    def _widget(self, name: str, knob: Knob) -> Widget:
+        label = say(f"knob.{name}")
+        doc = say_or(f"knob.{name}_hint", knob.doc)
+        if knob.choices:
+            return Selector(
+                label,
+                lambda: knob.choices,
+                lambda: str(self._value(name)),
+                lambda value: self.tuning.turn(name, value),
+                doc,
+                lambda value: say_or(f"choice.{value}", value),
+            )
+        return Slider(
+            label,
+            knob,
+            lambda: float(self._value(name)),
+            lambda value: self.tuning.turn(name, value),
+            lambda: self.tuning.reset(name),
+            say(
+                "tuning.range",
+                doc=doc,
+                lo=number(knob.lo, "g"),
+                hi=f"{number(knob.hi, 'g')} {unit(knob.unit)}".rstrip(),
+            ),
+        )
+
+    def _knobs(self) -> list[tuple[str, Knob, float | str]]:
+        return list(walk(self._table.knobs))
+
+    def _value(self, name: str) -> float | str:
+        value: object = self._table.knobs
+        for part in name.split("."):
+            value = getattr(value, part)
+        assert isinstance(value, (float, str))
+        return value
+
+    def _summary(self) -> str:
+        table = self._table
+        changed = len(table.set)
+        parts = [table_title(table), *map(_condition, table.conditions)]
+        return f"{', '.join(parts)}; {say('tuning.turned', count=changed) if changed else say('tuning.unturned')}"
+
+    def _compared(self) -> str:
+        return NOTHING if self.tuning.compared is None else self.tuning.compared.source
+
+
+def _condition(name: str) -> str:
+    """Conditions as they are told; one's own by their file's name."""
+    return say("tuning.usual") if name == NOTHING else say_or(f"condition.{name}", name)
