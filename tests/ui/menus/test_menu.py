@@ -13,8 +13,9 @@ from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import Help
 from pool2d.ui.dialogs.options import OptionsPage
 from pool2d.ui.menus.drill_list import DrillList
+from pool2d.ui.menus.match_draft import TUNED
 from pool2d.ui.menus.menu import Menu
-from pool2d.ui.menus.new_match import TUNED, NewMatch
+from pool2d.ui.menus.new_match import NewMatch
 from pool2d.ui.menus.table_list import TableList
 from pool2d.ui.play.play import Play
 from pool2d.ui.widgets.list_row import ListRow
@@ -93,7 +94,7 @@ def test_a_table_tuned_in_practice_is_played_on_only_when_it_is_chosen(guest: Ha
         guest.app.scene = guest.app.lobby.menu()
         choose(guest, "New match")
         scene = guest.app.scene
-        assert isinstance(scene, NewMatch) and scene.preset == "pool-9ft"
+        assert isinstance(scene, NewMatch) and scene.draft.preset == "pool-9ft"
         assert scene._title(TUNED) == "Pool, 9 ft, as tuned in practice"
         scene._take_table(choice)
         scene.start()

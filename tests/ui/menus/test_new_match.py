@@ -113,17 +113,17 @@ def test_a_lag_decides_who_breaks_and_is_on_the_record(guest: Hand) -> None:
 def test_a_table_without_a_head_cushion_offers_no_lag(guest: Hand) -> None:
     turn(guest, "Breaks first")
     scene = guest.app.scene
-    assert isinstance(scene, NewMatch) and scene.breaker == "-2"
+    assert isinstance(scene, NewMatch) and scene.draft.breaker == -2
     scene._take_table("l-shape")
     guest.app.step(0.0)
-    assert scene.breaker == "-1"
+    assert scene.draft.breaker == -1
     turn(guest, "Breaks first")
-    assert scene.breaker == "0"
+    assert scene.draft.breaker == 0
 
 
 def test_by_keys_alone(guest: Hand) -> None:
     guest.key(pygame.K_RIGHT)
-    assert dialog(guest).game == "nine-ball"
+    assert dialog(guest).draft.game == "nine-ball"
     while not isinstance(dialog(guest).form.focus, Button):
         guest.key(pygame.K_TAB)
     guest.key(pygame.K_TAB)
@@ -148,21 +148,23 @@ def test_names_are_typed_and_kept(guest: Hand) -> None:
 
 def test_a_game_is_offered_the_tables_that_it_can_be_played_on_alone(guest: Hand) -> None:
     games = [name for name in GAMES if name != PRACTICE]
-    assert dialog(guest).games == games
+    assert dialog(guest).draft.games == games
     for _ in games:
         chosen = dialog(guest)
-        assert chosen.tables == [name for name in presets() if chosen.game in games_for(load_table(name))]
-        assert chosen.preset in chosen.tables and not chosen.barred
-        before = chosen.preset
+        assert chosen.draft.tables == [name for name in presets() if chosen.draft.game in games_for(load_table(name))]
+        assert chosen.draft.preset in chosen.draft.tables and not chosen.barred
+        before = chosen.draft.preset
         turn(guest, "Table")
-        assert chosen.preset in chosen.tables and (chosen.preset != before or len(chosen.tables) == 1)
+        assert chosen.draft.preset in chosen.draft.tables and (
+            chosen.draft.preset != before or len(chosen.draft.tables) == 1
+        )
         turn(guest, "Game")
-    assert dialog(guest).game == games[0]
+    assert dialog(guest).draft.game == games[0]
 
 
 def test_a_game_that_the_table_is_none_for_does_not_start_and_it_is_told(guest: Hand) -> None:
     dialog(guest)._take_table("l-shape")
-    dialog(guest).game = "snooker"
+    dialog(guest).draft.game = "snooker"
     start = widget(guest, "Start")
     assert isinstance(start, Button) and start.barred()
     assert dialog(guest).barred.startswith("An L has not the balls and the rack for Snooker.")
@@ -193,7 +195,7 @@ def test_a_button_that_is_barred_is_grey(guest: Hand) -> None:
         return {tuple(box.get_at((x, 4 + box.get_height() // 2))) for x in range(4, box.get_width() - 4)}
 
     assert theme.ACCENT in {color[:3] for color in colors()}
-    dialog(guest).game = "snooker"
+    dialog(guest).draft.game = "snooker"
     assert theme.ACCENT not in {color[:3] for color in colors()}
 
 
@@ -209,9 +211,9 @@ def test_it_opens_as_last_set(guest: Hand) -> None:
     agreed = guest.play.state.session.match.setup
     guest.app._save()
     again = NewMatch(guest.play, Store(guest.app.store.path), load_table("carom-10ft"), lambda session: guest.play)
-    for name in ("game", "table", "race", "breaks", "breaker", "options"):
-        assert getattr(again, name) == getattr(chosen, name), name
-    assert again.options == agreed.options != {} and not again.barred
+    for name in ("game", "preset", "race", "breaks", "breaker", "options"):
+        assert getattr(again.draft, name) == getattr(chosen.draft, name), name
+    assert again.draft.options == agreed.options != {} and not again.barred
 
 
 @pytest.mark.parametrize(
@@ -229,7 +231,7 @@ def test_what_was_kept_and_stands_for_nothing_is_passed_over(guest: Hand, kept: 
     for name, value in kept.items():
         store.turn(f"match.{name}", value)
     opened = NewMatch(guest.play, store, load_table("pool-9ft"), lambda session: guest.play)
-    assert opened.game in opened.games
+    assert opened.draft.game in opened.draft.games
     if kept.get("table") != "gone":
         assert not opened.barred
         opened.start()
@@ -239,15 +241,15 @@ def test_what_was_kept_and_stands_for_nothing_is_passed_over(guest: Hand, kept: 
 def test_a_game_is_kept_where_the_next_table_has_it_too(guest: Hand) -> None:
     turn(guest, "Game")
     dialog(guest)._take_table("pool-7ft")
-    assert dialog(guest).game == "nine-ball"
+    assert dialog(guest).draft.game == "nine-ball"
     dialog(guest)._take_table("snooker-12ft")
-    assert dialog(guest).game == "snooker"
+    assert dialog(guest).draft.game == "snooker"
 
 
 def test_a_damaged_table_is_told_and_another_can_be_chosen(guest: Hand, tmp_path: Path) -> None:
     (tmp_path / "tables").mkdir()
     (tmp_path / "tables" / "zz.toml").write_text('base = "pool-9ft"\n[table]\nlength = -1\n')
-    while dialog(guest).preset != "zz":
+    while dialog(guest).draft.preset != "zz":
         turn(guest, "Table")
     assert "zz" in dialog(guest).barred
     click(guest, widget(guest, "Start").rect.center)
@@ -268,7 +270,7 @@ def test_options_are_those_of_the_game(guest: Hand) -> None:
         return [getattr(widget, "label", "") for widget in dialog(guest).form.widgets]
 
     assert "Push out" not in told()
-    while dialog(guest).game != "straight":
+    while dialog(guest).draft.game != "straight":
         turn(guest, "Game")
     assert "Push out" not in told()
     turn(guest, "Target")
@@ -277,9 +279,9 @@ def test_options_are_those_of_the_game(guest: Hand) -> None:
 
 
 def test_a_number_that_stands_for_none_is_told_in_words(guest: Hand) -> None:
-    while dialog(guest).game != "three-cushion":
+    while dialog(guest).draft.game != "three-cushion":
         turn(guest, "Game")
-    assert dialog(guest).preset == "carom-10ft"
+    assert dialog(guest).draft.preset == "carom-10ft"
     innings = widget(guest, "Innings")
     assert isinstance(innings, Selector)
     assert (innings.get(), innings.shown(innings.get())) == ("0", "no limit")
@@ -294,7 +296,7 @@ def test_it_can_be_drawn_in_every_game(language: str, size: tuple[int, int]) -> 
     hand = Hand(app)
     app.store.turn("screen.language", language)
     hand.key(pygame.K_RETURN)
-    games = dialog(hand).games
+    games = dialog(hand).draft.games
     assert games
     for name in games:
         dialog(hand)._take_game(name)
