@@ -34,8 +34,8 @@ CUE_TIP = (70, 132, 178)
 AREA = (214, 176, 106, 40)
 GUIDE_CUE = (196, 222, 212)
 GUIDE_BALL = (238, 208, 136)
-WAY_OLD = (24, 100, 84)
-WAY_OTHER = (150, 190, 240)
+PATH_OLD = (24, 100, 84)
+PATH_COMPARED = (150, 190, 240)
 
 
 @dataclass(frozen=True, eq=False)

@@ -78,7 +78,7 @@ class Session:
         return bool(self.ask.where)
 
     @property
-    def given(self) -> bool:
+    def in_hand_by_foul(self) -> bool:
         """Whether a foul has given the cue ball in hand while it lies on the table, and nobody has placed it yet."""
         now = self.match.now
         played = not self.is_practice and self.match.state.shots > 0 and not placing(now)

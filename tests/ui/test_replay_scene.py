@@ -211,7 +211,7 @@ def test_other_keys_open_help_and_options_and_come_back_to_the_same_moment(viewe
         assert viewer.scene is viewer.replay
         assert viewer.replay.state.playback.time == at
     viewer.key(pygame.K_v)
-    assert viewer.replay.state.vectors
+    assert viewer.replay.state.show.vectors
 
 
 def test_esc_closes_the_window_or_goes_to_the_scene_below(viewer: Viewer) -> None:

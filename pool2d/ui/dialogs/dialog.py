@@ -43,8 +43,8 @@ class Overlay(Scene):
 class Dialog(Overlay):
     """A scene that shows a form of widgets over the scene `below`.
 
-    Esc, or setting `done`, closes it and returns to that scene; `go` leads to another. `width` is the form's width
-    in units of the grid (`theme.unit`).
+    Esc, `close`, or setting `done` closes it and returns to that scene; `go` leads to another. `width` is the form's
+    width in units of the grid (`theme.unit`).
     """
 
     width = 50
@@ -68,7 +68,7 @@ class Dialog(Overlay):
     def handle(self, event: pygame.event.Event) -> Scene | None:
         greedy = self.form.focus is not None and self.form.focus.greedy
         if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and not greedy:
-            self.done = True
+            self.close()
         else:
             self.form.handle(event)
         return self._next()
@@ -80,6 +80,10 @@ class Dialog(Overlay):
     def go(self, to: Scene | None) -> None:
         """Show the scene `to` next, instead of the one below; None quits the program."""
         self._after, self.done = to, True
+
+    def close(self) -> None:
+        """Go back to the scene below."""
+        self.done = True
 
     def _next(self) -> Scene | None:
         """The scene to show next: this one until it is done. It is reset, so that it can be opened again."""
@@ -119,7 +123,7 @@ class TextPrompt(Dialog):
             [
                 [self.field],
                 [Heading(lambda: self.wrong, theme.WARNING, lines=3)],
-                [Button(say("form.cancel"), self._cancel), Button(say("form.save"), self._ok, strong=True)],
+                [Button(say("form.cancel"), self.close), Button(say("form.save"), self._ok, strong=True)],
             ],
         )
 
@@ -131,9 +135,6 @@ class TextPrompt(Dialog):
     def _ok(self) -> None:
         self.wrong = self.take(self.field.value)
         self.done = not self.wrong
-
-    def _cancel(self) -> None:
-        self.done = True
 
 
 class Confirm(Dialog):
@@ -147,9 +148,6 @@ class Confirm(Dialog):
             question,
             [
                 [Gap(0.3)],
-                [Button(say("form.cancel"), self._cancel), Button(yes, lambda: self.go(do()), strong=True)],
+                [Button(say("form.cancel"), self.close), Button(yes, lambda: self.go(do()), strong=True)],
             ],
         )
-
-    def _cancel(self) -> None:
-        self.done = True

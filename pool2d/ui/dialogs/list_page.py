@@ -48,8 +48,5 @@ class ListPage(Dialog):
         rows: list[Widget] = [Heading(self.heading, theme.TEXT, large=True)]
         rows += [Heading(self.intro)] if self.intro() else [Gap(0.3)]
         rows += [Heading(lambda: self.wrong, theme.WARNING, lines=3)] if self.wrong else []
-        rows += [*self.entries(), Button(say("form.close"), self._close)]
+        rows += [*self.entries(), Button(say("form.close"), self.close)]
         self.form.set_rows([[row] for row in rows])
-
-    def _close(self) -> None:
-        self.done = True

@@ -58,7 +58,7 @@ class OptionsPage(Dialog):
                 [Heading(lambda: say("options.saved"))],
                 [
                     Button(say("options.reset"), self._reset, say("options.reset_hint")),
-                    Button(say("form.close"), self._close, strong=True),
+                    Button(say("form.close"), self.close, strong=True),
                 ],
             ]
         )
@@ -108,9 +108,6 @@ class OptionsPage(Dialog):
         for name, knob in self._settings():
             self.store.turn(name, knob.default)
         self._fill()
-
-    def _close(self) -> None:
-        self.done = True
 
 
 class KeyRow(Widget):

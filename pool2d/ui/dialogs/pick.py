@@ -37,7 +37,7 @@ class Pick(Dialog):
         rows: list[list[Widget]] = [
             [ListBox(lambda: self.names, lambda: self.chosen, self._choose, _LINES)],
             [Heading(lambda: self.wrong, theme.WARNING, lines=2)],
-            [Button(say("form.cancel"), self._cancel), Button(button, self._ok, strong=True)],
+            [Button(say("form.cancel"), self.close), Button(button, self._ok, strong=True)],
         ]
         super().__init__(below, title, rows)
 
@@ -59,6 +59,3 @@ class Pick(Dialog):
                 self.wrong = result
             else:
                 self._then = result
-
-    def _cancel(self) -> None:
-        self.done = True

@@ -123,13 +123,13 @@ class Lobby:
         self._look_at_latest()
         paths = unfinished()
         try:
-            told = [_match_details(path) for path in paths[:1]]
+            details = [_match_details(path) for path in paths[:1]]
         except (InputError, OSError):
             return []
-        ways = [MenuEntry(lambda: say("menu.continue"), lambda: self._resume(paths[0]), details) for details in told]
+        entries = [MenuEntry(lambda: say("menu.continue"), lambda: self._resume(paths[0]), lines) for lines in details]
         if len(paths) > 1:
-            ways.append(MenuEntry(lambda: say("menu.others"), lambda: self._others(here())))
-        return ways
+            entries.append(MenuEntry(lambda: say("menu.others"), lambda: self._others(here())))
+        return entries
 
     def _others(self, menu: Scene) -> Scene:
         """The matches that can be continued, to choose one of."""

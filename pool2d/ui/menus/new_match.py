@@ -100,7 +100,7 @@ class NewMatch(Dialog):
                 [Gap(max(0.2, _TALL - sum(widget.rows for widget in options)))],
                 [Heading(lambda: self.wrong or self.barred, theme.WARNING, lines=2)],
                 [
-                    Button(say("form.cancel"), self._cancel),
+                    Button(say("form.cancel"), self.close),
                     Button(say("match.start"), self.start, strong=True, barred=lambda: bool(self.barred)),
                 ],
             ]
@@ -196,9 +196,6 @@ class NewMatch(Dialog):
 
     def _take_breaks(self, breaks: str) -> None:
         self.draft.breaks = breaks
-
-    def _cancel(self) -> None:
-        self.done = True
 
 
 def _name_field(player: int, value: str) -> TextField:

@@ -9,7 +9,7 @@ import pygame
 
 from ...config.settings import GUIDES
 from ...errors import InputError
-from ...game.rules import AIM, OVER
+from ...game.rules import AIM
 from ..dialogs.save_table import ask_to_save
 from ..scene import Scene
 from ..screen import Screen
@@ -19,12 +19,11 @@ from ..wording.keys import KEYS, action_of, fine_step
 from ..wording.words import say
 from .call_strip import CallStrip
 from .editing import Editing
+from .mouse import Mouse
 from .positions import Positions
 from .state import PlayState, Wish
 from .tuning import Tuning
 from .tuning_panel import TuningPanel
-
-Pos = tuple[int, int]
 
 _BY_HAND = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEWHEEL)
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
@@ -43,6 +42,7 @@ class Controller:
         self.timeline = Timeline()
         self.call_strip = CallStrip(state.calls)
         self.editing = Editing(state, stage)
+        self.mouse = Mouse(state, stage, self.editing)
         self.positions = Positions(state, scene)
         self._panel: TuningPanel | None = None
         # Who is asked, in this order, what an event means; the first who takes it is the last.
@@ -54,7 +54,8 @@ class Controller:
             self._review,
             self.editing.handle,
             self._key,
-            self._pointer,
+            self.mouse.handle,
+            self._focus_lost,
         )
         self._keys: dict[str, Callable[[], None]] = {
             **state.hands.keys,
@@ -100,8 +101,8 @@ class Controller:
             self.tuning_panel.update(dt)
         rested = state.update(dt)
         if rested is not None and not rested.review and state.playback is None and state.hands.pointer is not None:
-            self._move(state.hands.pointer)
-        state.give()
+            self.mouse.move(state.hands.pointer)
+        state.hand_over_cue_ball()
 
     def lay_out(self, screen: Screen) -> None:
         """Put the table and all that hands take hold of in their places in a window."""
@@ -120,7 +121,7 @@ class Controller:
         self.stage.camera.let_go()
         self.timeline.let_go()
         self.state.in_hand.put_back()
-        self._put_down()
+        self.mouse.put_down()
 
     # The takers.
 
@@ -184,70 +185,11 @@ class Controller:
             (state.mode.keys.get(action) or self._keys.get(action, _nothing))()
         return True
 
-    def _pointer(self, event: pygame.event.Event) -> bool:
-        """The mouse on the table and on the diagrams."""
-        if event.type == pygame.MOUSEMOTION:
-            self._move(event.pos)
-        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
-            self._press(event.pos)
-        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 3:
-            self._put_down()
-        elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
-            self._release(event.pos)
-        elif event.type == pygame.MOUSEWHEEL:
-            self.state.hands.turn(event.y * fine_step(pygame.key.get_mods()))
-        elif event.type == pygame.WINDOWFOCUSLOST:
+    def _focus_lost(self, event: pygame.event.Event) -> bool:
+        """Another window: the hands have left."""
+        if event.type == pygame.WINDOWFOCUSLOST:
             self.leave()
         return True
-
-    # What the mouse leads to.
-
-    def _move(self, pos: Pos) -> None:
-        state, hands = self.state, self.state.hands
-        if hands.move(pos, self.stage.screen):
-            return
-        if state.held is not None:
-            if not hands.holds(pos):
-                state.in_hand.at = self.stage.view.to_table(*pos)
-        elif not state.session.in_hand:
-            cue = state.session.cue
-            hands.point(pos, self.stage.view, cue, state.session.table.body_of(cue)[0])
-
-    def _press(self, pos: Pos) -> None:
-        state, screen = self.state, self.stage.screen
-        on_table = screen.top.bottom <= pos[1] < screen.bottom.top
-        if (on_table and state.mode.go_on()) or state.hands.grab(pos, screen):
-            return
-        self._move(pos)
-        if state.playback is None and state.session.ask.kind == OVER:
-            state.go_to(Wish.ENDED)
-        elif state.held is not None:
-            self._place()
-            # A drag carries it on from here, whether it could be put down or not.
-            self.editing.carry(pos)
-        elif state.playback is None and state.session.ask.kind == AIM and on_table:
-            state.hands.begin_pull(pos)
-
-    def _release(self, pos: Pos) -> None:
-        self._move(pos)
-        state, hands = self.state, self.state.hands
-        clicked = hands.pull is not None and hands.clicked
-        speed = hands.let_go()
-        if speed > 0.0:
-            state.strike(speed, drawn=True)
-        elif clicked:
-            # What is a pull with a drag means the ball or the pocket without.
-            state.calls.point_out(*self.stage.view.to_table(*pos), state.session)
-            hands.hold = pos
-
-    def _put_down(self) -> None:
-        if self.state.hands.pull is not None:
-            self.state.messages.show(lambda: say("play.put_down"))
-        self.state.hands.put_down()
-
-    def _place(self) -> None:
-        if not self.editing.place():
-            self.state.messages.say(self.state.in_hand.refused(self.state.session))
 
     # What keys lead to.
 
@@ -268,7 +210,7 @@ class Controller:
             hands.armed = False
         elif state.held is not None:
             hands.armed = False
-            self._place()
+            self.mouse.place()
         elif hands.armed or state.session.ask.kind != AIM:
             state.strike(hands.aim.speed)
         else:
@@ -283,7 +225,7 @@ class Controller:
             state.go_to(Wish.PAUSED)
         if not busy:
             self._panel = None
-        self._put_down()
+        self.mouse.put_down()
 
     def _replay(self, hold: bool = False) -> None:
         """Show the last shot again; to `hold` is to do so at its beginning, or to stop the shot that runs."""

@@ -67,7 +67,7 @@ class Editing:
             return False
         in_hand.put_back()
         # What the rules gave is not given again.
-        in_hand.given = self.state.session.match.now
+        in_hand.given_at = self.state.session.match.now
         self._say(lambda: say("edit.put_back"))
         return True
 

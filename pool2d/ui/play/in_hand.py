@@ -29,14 +29,14 @@ class Grip:
 class InHand:
     """`ball` is one that was picked up, or ""; `at` is where the ball is held, m; None before a hand has moved it.
 
-    `grip` is the button that holds it, if one does; `given` the moment whose cue ball has been put into the hand.
+    `grip` is the button that holds it, if one does; `given_at` the moment whose cue ball has been put into the hand.
     """
 
     def __init__(self) -> None:
         self.ball = ""
         self.at: Point | None = None
         self.grip: Grip | None = None
-        self.given: Moment | None = None
+        self.given_at: Moment | None = None
 
     def take(self, ball: str, at: Point | None = None) -> None:
         """Pick a ball up, from where it lies or straight to a place."""
@@ -50,7 +50,7 @@ class InHand:
         """Put back what is held, as if nothing had been done: what the rules gave is given again."""
         self.grip = None
         if self.ball:
-            self.given = None
+            self.given_at = None
         self.let_go()
 
     def held(self, session: Session) -> Ball | None:
@@ -76,7 +76,7 @@ class InHand:
         ball = self.held(session)
         if ball is None:
             return False
-        if self._given(session):
+        if self._by_rules(session):
             return session.may_place(ball.x, ball.y)
         radius = session.table.body_of(ball)[0]
         return session.table.has_room(ball.x, ball.y, radius, session.layout, ignore=ball.id)
@@ -84,7 +84,7 @@ class InHand:
     def refused(self, session: Session) -> str:
         """Why it may not stand where it is held."""
         ball, where = self.held(session), session.ask.where
-        if ball is None or not self._given(session) or within(session.table, where, ball.x, ball.y):
+        if ball is None or not self._by_rules(session) or within(session.table, where, ball.x, ball.y):
             return say("play.no_room")
         return {KITCHEN: say("play.only_kitchen"), D: say("play.only_d")}.get(where, say("play.no_room"))
 
@@ -96,13 +96,13 @@ class InHand:
         ball = self.held(session)
         if ball is None or not self.may_stand(session):
             return False
-        if self._given(session):
+        if self._by_rules(session):
             session.place(ball.x, ball.y)
         else:
             session.arrange(session.layout.put(ball))
         self.let_go()
         return True
 
-    def _given(self, session: Session) -> bool:
+    def _by_rules(self, session: Session) -> bool:
         """Whether the rules have given the ball, and so say where it may stand."""
         return not self.ball or not session.is_practice

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
-from dataclasses import dataclass, field
 from enum import Enum, auto
 from itertools import pairwise
 
-from ...draw import cue_motion, guide, theme
-from ...draw.effects import Effects
+from ...draw import cue_motion
 from ...errors import BudgetError, InputError
 from ...game.aim import Aim
 from ...game.rules import OVER
@@ -21,6 +18,7 @@ from ...table.preset import load_table
 from ...table.table import Table
 from ..scene import Scene
 from ..stage.playback import Playback
+from ..stage.show import Show
 from ..stage.shown_balls import BallHistory, ShownBalls
 from ..wording import ruling_text, shot_text
 from ..wording.words import say
@@ -44,32 +42,6 @@ class Wish(Enum):
     PAUSED = auto()
     ENDED = auto()
     QUIT = auto()
-
-
-@dataclass
-class Show:
-    """What is shown beside the balls: the options' guide `level`, `effects` and `style`, and what keys turn on."""
-
-    level: int = guide.GHOST
-    effects: Effects = field(default_factory=Effects)
-    style: theme.Style = theme.PLAIN
-    vectors: bool = False
-    geometry: bool = False
-
-    @property
-    def keys(self) -> dict[str, Callable[[], None]]:
-        """What keys do, by the names of their actions."""
-        return {"vectors": self._turn_vectors, "geometry": self._turn_geometry}
-
-    def _turn_vectors(self) -> None:
-        self.vectors = not self.vectors
-
-    def _turn_geometry(self) -> None:
-        self.geometry = not self.geometry
-
-    def take_options(self, other: Show) -> None:
-        """Show what the options say as the other does."""
-        self.level, self.effects, self.style = other.level, other.effects, other.style
 
 
 class PlayState:
@@ -300,12 +272,12 @@ class PlayState:
         self.hands.put_down()
         self.in_hand.put_back()
 
-    def give(self) -> None:
+    def hand_over_cue_ball(self) -> None:
         """Put a cue ball that a foul has given into the hand, from where it lies: once, lest it come back by itself."""
         now = self.session.match.now
-        if self.playback is None and not self.hands.busy and self.in_hand.given is not now:
-            self.in_hand.given = now
-            if self.session.given and not self.in_hand.ball:
+        if self.playback is None and not self.hands.busy and self.in_hand.given_at is not now:
+            self.in_hand.given_at = now
+            if self.session.in_hand_by_foul and not self.in_hand.ball:
                 self.in_hand.take(self.session.cue.id)
                 self.hands.keep_aim()
 

@@ -25,7 +25,7 @@ from . import replay_view
 from .replay_state import ReplayState
 
 # What keys do besides those of the time line, and where one of them goes from the present shot.
-KEYS = {
+REPLAY_KEYS = {
     pygame.K_PAGEUP: "earlier", pygame.K_UP: "earlier",
     pygame.K_PAGEDOWN: "later", pygame.K_DOWN: "later", pygame.K_n: "later",
     pygame.K_g: "list",
@@ -50,8 +50,7 @@ class Replay(Scene):
         self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {
             **self.stage.camera.keys,
-            "vectors": self._show_vectors,
-            "geometry": self._show_geometry,
+            **state.show.keys,
             "fast": lambda: self._fast_forward(True),
             "help": lambda: self._open(Help(self)),
             "options": lambda: self._open(OptionsPage(self, store)),
@@ -104,7 +103,7 @@ class Replay(Scene):
             self.state.playback.paused |= self.state.playback.kept and self.state.playback.ended
         elif event.type == pygame.KEYDOWN:
             action = action_of(event.key, getattr(event, "mod", 0)) or ""
-            self._do.get(KEYS.get(event.key, ""), self._keys.get(action, _nothing))()
+            self._do.get(REPLAY_KEYS.get(event.key, ""), self._keys.get(action, _nothing))()
 
     def _open(self, scene: Scene) -> None:
         self.state.playback.paused = True
@@ -124,12 +123,6 @@ class Replay(Scene):
 
     def _fast_forward(self, fast: bool) -> None:
         self.state.playback.fast = fast
-
-    def _show_vectors(self) -> None:
-        self.state.vectors = not self.state.vectors
-
-    def _show_geometry(self) -> None:
-        self.state.geometry = not self.state.geometry
 
     # Time.
 

@@ -11,6 +11,7 @@ from ...game.records.replaying import RecordedShot
 from ...sound.mixer import Sounds
 from ...table.table import Table
 from ..stage.playback import Playback
+from ..stage.show import Show
 from ..stage.shown_balls import BallHistory, ShownBalls
 
 # How long a shot's last moment is shown before the next begins, s.
@@ -20,8 +21,8 @@ PAUSE = 2.0
 class ReplayState:
     """The strokes of a record, of which `at` is shown, counted from 0, and `playback` is its moment.
 
-    A stroke that runs to its end leads on to the next; one that a hand holds or brings to its end stays. `vectors` and
-    `geometry` say what is shown besides, `balls` how the balls are turned and which have fallen; `sounds` makes the
+    A stroke that runs to its end leads on to the next; one that a hand holds or brings to its end stays. `show` says
+    what is shown besides, `balls` how the balls are turned and which have fallen; `sounds` makes the
     strokes heard, and `store` says which motions are for show.
     """
 
@@ -30,7 +31,7 @@ class ReplayState:
         self.store = store
         self.sounds = sounds
         self.balls = BallHistory()
-        self.vectors = self.geometry = False
+        self.show = Show()
         self.at = 0
         # How many strokes `balls` has followed, and for how long the last moment has been shown, s.
         self._followed = 0

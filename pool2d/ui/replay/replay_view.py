@@ -30,9 +30,9 @@ def draw(frame: Frame, state: ReplayState, stage: Stage, timeline: Timeline) -> 
     surface, screen = frame.surface, stage.screen
     stage.begin(frame)
     in_motion(frame, stage, state.shown_balls, shown, state.effects)
-    if state.geometry:
+    if state.show.geometry:
         draw_geometry(ScreenPen(surface, stage.view), stage.table)
-    if state.vectors:
+    if state.show.vectors:
         vectors.draw(surface, shown.rollout.at(shown.time), stage.table, stage.view)
         if shown.shot is not None and shown.time <= 0.0:
             vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
@@ -40,7 +40,7 @@ def draw(frame: Frame, state: ReplayState, stage: Stage, timeline: Timeline) -> 
     _upper_bar(surface, stage, state, timeline.hover)
     said = caption(state)
     _caption(surface, screen, said)
-    if state.geometry or state.vectors or said[0]:
+    if state.show.geometry or state.show.vectors or said[0]:
         frame.cover()
     timeline.draw(surface, shown, stage.table)
     frame.replace([screen.top, screen.bottom])
@@ -62,7 +62,7 @@ def under(pos: tuple[int, int], screen: Screen) -> str:
 
 
 def _upper_bar(surface: pygame.Surface, stage: Stage, state: ReplayState, pointer: tuple[int, int] | None) -> None:
-    screen, take = stage.screen, state.shot
+    screen, shot = stage.screen, state.shot
     unit, bar = screen.unit, screen.top
     surface.fill(theme.PANEL[:3], bar)
     pointed = "" if pointer is None else under(pointer, screen)
@@ -77,12 +77,12 @@ def _upper_bar(surface: pygame.Surface, stage: Stage, state: ReplayState, pointe
     box = button("list", screen)
     text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
     left = button("later", screen).right + 2 * unit
-    title = text.fitted(ruling_text.title(take.match.rules.name), screen.small, screen.tray.left - left)
+    title = text.fitted(ruling_text.title(shot.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
-    stage.tray(surface, state.shown_balls.pocketed(take.match))
+    stage.tray(surface, state.shown_balls.pocketed(shot.match))
     # Until a shot has come to its end the score is the one that it was played at.
-    moment = take.moment if state.playback.ended else take.before
-    scoreboard.draw_beside(surface, screen, take.match, moment, take.moment.shooter)
+    moment = shot.moment if state.playback.ended else shot.before
+    scoreboard.draw_beside(surface, screen, shot.match, moment, shot.moment.shooter)
 
 
 def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.Color) -> None:
@@ -98,15 +98,15 @@ def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.C
 
 def caption(state: ReplayState) -> tuple[str, bool]:
     """What there is to say of the moment shown, and whether something is wrong."""
-    take, shown = state.shot, state.playback
+    shot, shown = state.shot, state.playback
     shots = state.shots
-    if not take.same:
-        return unlike(take), True
+    if not shot.same:
+        return unlike(shot), True
     if shown.ended:
-        said = [say("replay.undone")] if take.line in shots.undone else []
-        said += [say("replay.judged", why=say(f"since.{take.found.why}"))] if take.found is not None else []
-        return " ".join([*said, ruling_text.verdict(take.moment, take.match)]), False
-    if shown.time <= 0.0 and (said_before := called(take)):
+        said = [say("replay.undone")] if shot.line in shots.undone else []
+        said += [say("replay.judged", why=say(f"since.{shot.found.why}"))] if shot.found is not None else []
+        return " ".join([*said, ruling_text.verdict(shot.moment, shot.match)]), False
+    if shown.time <= 0.0 and (said_before := called(shot)):
         return said_before, False
     if shots.fault is not None and state.at + 1 == len(shots):
         return str(shots.fault), True
@@ -115,31 +115,31 @@ def caption(state: ReplayState) -> tuple[str, bool]:
     return "", False
 
 
-def unlike(take: RecordedShot) -> str:
+def unlike(shot: RecordedShot) -> str:
     """What is said of a shot that does not roll as it was recorded."""
-    if take.found is None or take.found.why == UNKNOWN:
+    if shot.found is None or shot.found.why == UNKNOWN:
         return say("replay.differs")
-    return say("replay.unlike", why=say(f"since.{take.found.why}"))
+    return say("replay.unlike", why=say(f"since.{shot.found.why}"))
 
 
-def line(shots: RecordedShots, take: RecordedShot) -> str:
+def line(shots: RecordedShots, shot: RecordedShot) -> str:
     """A shot in a list: its number, who played it, and what came of it."""
-    notes = ruling_text.verdict(take.moment, take.match)
-    name = take.match.names[take.moment.shooter]
-    back = f" ({say('replay.taken_back')})" if take.line in shots.undone else ""
-    return f"{take.number}   {name}{back}   {notes}".rstrip()
+    notes = ruling_text.verdict(shot.moment, shot.match)
+    name = shot.match.names[shot.moment.shooter]
+    back = f" ({say('replay.taken_back')})" if shot.line in shots.undone else ""
+    return f"{shot.number}   {name}{back}   {notes}".rstrip()
 
 
-def called(take: RecordedShot) -> str:
+def called(shot: RecordedShot) -> str:
     """What the player said before the shot; empty where nothing was."""
-    stroke = take.moment.action
+    stroke = shot.moment.action
     if not isinstance(stroke, Stroke) or stroke.call == Call():
         return ""
     call = stroke.call
     ball = ball_name(call.ball, stroke.shot.ball) if call.ball else ""
     pocket = place_name(call.pocket) if call.pocket else ""
     what = [ball, pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
-    name = take.match.names[take.moment.shooter]
+    name = shot.match.names[shot.moment.shooter]
     return say("replay.calls", player=name, what=", ".join(filter(None, what)))
 
 

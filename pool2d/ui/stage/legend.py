@@ -16,11 +16,11 @@ def draw_legend(surface: pygame.Surface, screen: Screen) -> pygame.Rect:
     """Draw the legend at the lower left, above the bar; returns its rectangle, in pixels."""
     unit, size = screen.unit, screen.small
     pitch = text.font(size).get_linesize()
-    told = [(color, say(f"vectors.{name}")) for color, name in LEGEND]
-    width = max(text.font(size).size(words)[0] for _, words in told) + 4 * unit
+    lines = [(color, say(f"vectors.{name}")) for color, name in LEGEND]
+    width = max(text.font(size).size(words)[0] for _, words in lines) + 4 * unit
     plate = pygame.Surface((width, pitch * len(LEGEND) + unit), pygame.SRCALPHA)
     pygame.draw.rect(plate, theme.PANEL, plate.get_rect(), border_radius=unit * 3 // 4)
-    for i, (color, words) in enumerate(told):
+    for i, (color, words) in enumerate(lines):
         y = unit / 2 + (i + 0.5) * pitch
         pen.line(plate, color, (unit, y), (unit * 5 / 2, y), unit / 4)
         text.draw(plate, words, size, theme.TEXT, (unit * 13 / 4, y), (0.0, 0.5))

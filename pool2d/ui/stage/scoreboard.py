@@ -68,19 +68,19 @@ def _parts(match: Match, moment: Moment, player: int, turn: bool, screen: Screen
 def _details(match: Match, moment: Moment, player: int, turn: bool) -> list[str]:
     """A player's details: group, frames, innings, run and so on, as far as the game's state has them."""
     state, tally = moment.state, moment.tallies[player]
-    told = []
+    details = []
     if group := getattr(state, "groups", ("", ""))[player]:
-        told.append(say_or(f"group.{group}", group))
+        details.append(say_or(f"group.{group}", group))
     if pocket := getattr(state, "pockets", ("", ""))[player]:
-        told.append(place_name(pocket))
+        details.append(place_name(pocket))
     if match.setup.race > 1:
-        told.append(say("scoreboard.frames", won=tally.frames, race=match.setup.race))
+        details.append(say("scoreboard.frames", won=tally.frames, race=match.setup.race))
     if innings := getattr(state, "innings", (0, 0))[player]:
-        told.append(say("scoreboard.innings", count=innings))
+        details.append(say("scoreboard.innings", count=innings))
     if match.rules.scored and tally.run > 1:
-        told.append(say(f"scoreboard.{match.rules.series}", points=tally.run))
+        details.append(say(f"scoreboard.{match.rules.series}", points=tally.run))
     if turn and (left := getattr(state, "left", 0)):
-        told.append(say("scoreboard.left", points=left))
+        details.append(say("scoreboard.left", points=left))
     if state.fouls[player] > 1:
-        told.append(say("scoreboard.fouls", count=state.fouls[player]))
-    return told
+        details.append(say("scoreboard.fouls", count=state.fouls[player]))
+    return details

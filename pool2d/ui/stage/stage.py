@@ -114,8 +114,8 @@ class Stage:
     ) -> None:
         """Draw what a shot did before the table was tuned, what it does now, and on the table compared."""
         for rollout, cue, other in (
-            (before, theme.WAY_OLD, theme.WAY_OLD),
-            (compared, theme.WAY_OTHER, theme.WAY_OTHER),
+            (before, theme.PATH_OLD, theme.PATH_OLD),
+            (compared, theme.PATH_COMPARED, theme.PATH_COMPARED),
             (now, theme.GUIDE_CUE, theme.GUIDE_BALL),
         ):
             if rollout is not None:

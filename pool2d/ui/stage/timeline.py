@@ -28,7 +28,7 @@ COLORS: dict[EventKind, theme.Color] = {
     "ball_pocket": (240, 104, 112),
 }
 # What keys do while the time line is out; all others mean what they always do.
-KEYS = {
+TIMELINE_KEYS = {
     pygame.K_SPACE: "toggle", pygame.K_p: "toggle",
     pygame.K_LEFT: "back", pygame.K_RIGHT: "forth",
     pygame.K_COMMA: "slower", pygame.K_LEFTBRACKET: "slower",
@@ -106,7 +106,7 @@ class Timeline:
     def handle(self, event: pygame.event.Event, shown: Playback) -> bool:
         """Take an event; returns whether the time line had a use for it."""
         if event.type == pygame.KEYDOWN:
-            action = KEYS.get(event.key)
+            action = TIMELINE_KEYS.get(event.key)
             if action is not None:
                 self._do[action](shown)
             return action is not None
@@ -226,7 +226,8 @@ class Timeline:
 
 def _hint(action: str) -> str:
     """What a button does, and its key."""
-    return say(f"timeline.{action}", key=keys.shown(next(key for key, other in KEYS.items() if other == action)))
+    first = next(key for key, other in TIMELINE_KEYS.items() if other == action)
+    return say(f"timeline.{action}", key=keys.shown(first))
 
 
 def _mark(surface: pygame.Surface, x: int, track: pygame.Rect, half: int, color: theme.Color) -> None:

@@ -18,7 +18,7 @@ Point = tuple[float, float]
 def given(hand: Hand) -> Hand:
     """Bob has fouled, and Ann has the cue ball, which lies on the table."""
     session = in_hand(hand)
-    assert session.ask.kind == AIM and session.given
+    assert session.ask.kind == AIM and session.in_hand_by_foul
     return hand
 
 
@@ -98,4 +98,4 @@ def test_taken_back_to_before_the_break_it_is_not_in_hand_though_it_may_be_moved
         pass
     given.play.state.drop()
     given.app.step(0.1)
-    assert session.movable and not session.given and held(given) is None
+    assert session.movable and not session.in_hand_by_foul and held(given) is None

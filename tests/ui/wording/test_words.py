@@ -133,7 +133,7 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [*KNOBS, *(f"choice.{value}" for knob in KNOBS.values() for value in knob.choices)]
     wanted += [f"condition.{name}" for name in conditions()]
     wanted += [f"tuning.page.{page}" for page in tuning_panel.PAGES]
-    wanted += [f"timeline.{action}" for action in timeline.KEYS.values()]
+    wanted += [f"timeline.{action}" for action in timeline.TIMELINE_KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in LEGEND]
     wanted += [f"match.breaks_by.{name}" for name in BREAKS]
     wanted += [f"option.{name}" for _, name in OPTIONS]
