@@ -23,7 +23,8 @@ from pool2d.game.records.record import Record, load
 from pool2d.game.records.recorder import Recorder, record, resume
 from pool2d.game.records.replaying import verify
 from pool2d.game.rules import GAMES
-from tests.random_play import new_match, random_action
+
+from .random_play import new_match, random_action
 
 # A match with so many lines is verified, and a new one begun.
 LONG = 60

@@ -22,7 +22,8 @@ from pool2d.game.records.record import load
 from pool2d.game.records.recorder import record, resume
 from pool2d.game.records.replaying import verify
 from pool2d.game.rules import GAMES
-from tests.random_play import new_match, random_action
+
+from .random_play import go_on, new_match
 
 # After so many actions a match is left as it stands; practice never ends.
 LONG = 120
@@ -32,12 +33,7 @@ def play(game: str, seed: int, path: Path) -> Match:
     """One match by dice, on record."""
     rng = random.Random(f"{game} {seed}")
     with record(new_match(game, seed), path) as recorder:
-        for _ in range(LONG):
-            if recorder.match.over:
-                break
-            recorder.play(random_action(recorder.match, rng))
-            if rng.random() < 0.1 and recorder.undo() and rng.random() < 0.5:
-                recorder.redo()
+        go_on(recorder, LONG, rng, undone=0.1)
         recorder.match.table.settle(recorder.match.layout)
         return recorder.match
 
@@ -61,15 +57,8 @@ def faults(game: str, seed: int) -> tuple[str, bool]:
     for moment in history[1:]:
         assert moment.action is not None
         replayed = again_so_far.play(moment.action)
-        if (
-            not match.redo()
-            or match.now is not moment
-            or (replayed.ruling, replayed.tallies)
-            != (
-                moment.ruling,
-                moment.tallies,
-            )
-        ):
+        alike = (replayed.ruling, replayed.tallies) == (moment.ruling, moment.tallies)
+        if not match.redo() or match.now is not moment or not alike:
             return "another moment after redo", match.over
     return "", match.over
 

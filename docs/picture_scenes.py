@@ -20,15 +20,15 @@ from pool2d.game.records.recorder import record
 from pool2d.game.session import Session
 from pool2d.game.setup import LAG, Setup
 from pool2d.ui.replay.replay_scene import Replay
-from pool2d.ui.scene import Scene as ScreenScene
+from pool2d.ui.scene import Scene
 from pool2d.ui.widgets.inputs import Slider
 from tests.ui.conftest import FRAME, Hand
 
 
-class Scene(NamedTuple):
+class PictureScene(NamedTuple):
     """What a picture shows, in words, how a hand gets there, and on which table."""
 
-    told: str
+    caption: str
     go: Callable[[Hand], None]
     table: str = "pool-9ft"
 
@@ -217,7 +217,7 @@ def drill(hand: Hand) -> None:
     hand.point(ball.x, ball.y)
 
 
-def scene(hand: Hand, make: Callable[[Hand], ScreenScene]) -> None:
+def scene(hand: Hand, make: Callable[[Hand], Scene]) -> None:
     """Another screen over the table."""
     hand.app.scene = make(hand)
     hand.app.redraw()
@@ -244,32 +244,32 @@ def run(hand: Hand, seconds: float) -> None:
         hand.app.step(FRAME)
 
 
-SCENES: dict[str, Scene] = {
-    "play": Scene("Aiming: the guide is a short run of the simulation", middle),
-    "pulling": Scene("Drawing the cue back: the distance is the speed", pulling),
-    "rolling": Scene("A break: trails of light show where the balls have been", breaking),
-    "whole-guide": Scene("G: the guide for the whole shot", whole),
-    "arrows": Scene("V: speed, roll and spin of every ball", arrows),
-    "time-line": Scene("P: a shot held, gone through event by event", line),
-    "tuning": Scene("T: every knob, and what it does to the last shot", tuned),
-    "in-hand": Scene("The cue ball in hand", placing),
-    "near": Scene("Ctrl and the wheel: from nearer", near),
-    "geometry": Scene("B: the geometry that the physics sees", geometry),
-    "options": Scene("O: the options", lambda hand: hand.key(pygame.K_o)),
-    "keys": Scene("Every key can be bound", keys_page),
-    "help": Scene("F1: what keys and hands do", lambda hand: hand.key(pygame.K_F1)),
-    "german": Scene("In German, with colours and patterns for colour-blind eyes", german),
-    "menu": Scene("The menu", lambda hand: scene(hand, lambda hand: hand.app.lobby.menu())),
-    "new-match": Scene("A new match", new_match),
-    "lag": Scene("A lag: who comes nearer to the head cushion chooses who breaks", lag),
-    "choice": Scene("After a break that was too soft: what may be chosen", choosing),
-    "call": Scene("A pocket is called by a click", calling),
-    "snooker": Scene("Snooker: the cue ball in the D", snooker, "snooker-12ft"),
-    "pause": Scene("Esc: the pause", lambda hand: scene(hand, lambda hand: hand.app.lobby.pause())),
-    "frame-over": Scene("The end of a frame", ended),
-    "drills": Scene("F2: drills, each with a goal", lambda hand: hand.key(pygame.K_F2)),
-    "drill": Scene("A drill: where the cue ball has to come to rest", drill),
-    "replay": Scene("`pool2d replay`: a recorded match", replay),
-    "replay-shots": Scene("G lists its shots", lambda hand: replay(hand, pygame.K_g)),
-    **{f"table-{name}": Scene(f"`--table {name}`", rest, name) for name in shipped(TABLES)},
+SCENES: dict[str, PictureScene] = {
+    "play": PictureScene("Aiming: the guide is a short run of the simulation", middle),
+    "pulling": PictureScene("Drawing the cue back: the distance is the speed", pulling),
+    "rolling": PictureScene("A break: trails of light show where the balls have been", breaking),
+    "whole-guide": PictureScene("G: the guide for the whole shot", whole),
+    "arrows": PictureScene("V: speed, roll and spin of every ball", arrows),
+    "time-line": PictureScene("P: a shot held, gone through event by event", line),
+    "tuning": PictureScene("T: every knob, and what it does to the last shot", tuned),
+    "in-hand": PictureScene("The cue ball in hand", placing),
+    "near": PictureScene("Ctrl and the wheel: from nearer", near),
+    "geometry": PictureScene("B: the geometry that the physics sees", geometry),
+    "options": PictureScene("O: the options", lambda hand: hand.key(pygame.K_o)),
+    "keys": PictureScene("Every key can be bound", keys_page),
+    "help": PictureScene("F1: what keys and hands do", lambda hand: hand.key(pygame.K_F1)),
+    "german": PictureScene("In German, with colours and patterns for colour-blind eyes", german),
+    "menu": PictureScene("The menu", lambda hand: scene(hand, lambda hand: hand.app.lobby.menu())),
+    "new-match": PictureScene("A new match", new_match),
+    "lag": PictureScene("A lag: who comes nearer to the head cushion chooses who breaks", lag),
+    "choice": PictureScene("After a break that was too soft: what may be chosen", choosing),
+    "call": PictureScene("A pocket is called by a click", calling),
+    "snooker": PictureScene("Snooker: the cue ball in the D", snooker, "snooker-12ft"),
+    "pause": PictureScene("Esc: the pause", lambda hand: scene(hand, lambda hand: hand.app.lobby.pause())),
+    "frame-over": PictureScene("The end of a frame", ended),
+    "drills": PictureScene("F2: drills, each with a goal", lambda hand: hand.key(pygame.K_F2)),
+    "drill": PictureScene("A drill: where the cue ball has to come to rest", drill),
+    "replay": PictureScene("`pool2d replay`: a recorded match", replay),
+    "replay-shots": PictureScene("G lists its shots", lambda hand: replay(hand, pygame.K_g)),
+    **{f"table-{name}": PictureScene(f"`--table {name}`", rest, name) for name in shipped(TABLES)},
 }

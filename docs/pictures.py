@@ -22,7 +22,7 @@ from pool2d.draw.export import animation, gif
 from pool2d.ui.app import App
 from tests.ui.conftest import Hand
 
-from .picture_scenes import SCENES, Scene
+from .picture_scenes import SCENES, PictureScene
 
 HERE = Path(__file__).parent
 FOLDER = HERE / "pictures"
@@ -36,7 +36,7 @@ _PATIENCE = 30.0
 BREAK_SIZE, RATE, LENGTH = (480, 270), 20, 5.0
 
 
-def draw(scene: Scene, size: tuple[int, int]) -> pygame.Surface:
+def draw(scene: PictureScene, size: tuple[int, int]) -> pygame.Surface:
     """The window at a scene."""
     store = Store()
     store.turn("screen.language", "en")
@@ -86,13 +86,15 @@ def moving_break() -> bytes:
     return gif.encode(pictures, gif.median_cut([pictures[0], pictures[-1]]), 100 // RATE, 100)
 
 
-def page(scenes: dict[str, Scene]) -> str:
+def page(scenes: dict[str, PictureScene]) -> str:
     """The page that shows them."""
     names = list(scenes)
     rows = []
     for first in range(0, len(names), 2):
         pair = names[first : first + 2]
-        rows.append("| " + " | ".join(f"![{name}](pictures/{name}.jpg)<br>{scenes[name].told}" for name in pair) + " |")
+        rows.append(
+            "| " + " | ".join(f"![{name}](pictures/{name}.jpg)<br>{scenes[name].caption}" for name in pair) + " |"
+        )
     sheets = " and ".join(f"[{width}x{height}](pictures/{width}x{height}.jpg)" for width, height in OTHERS)
     return "\n".join(
         [

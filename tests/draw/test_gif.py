@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from benchmarks.random_play import new_match
 from pool2d.cli import main
 from pool2d.draw.export.animation import frames
 from pool2d.draw.export.gif import encode, lzw, median_cut
@@ -21,7 +22,6 @@ from pool2d.game.records.record import load
 from pool2d.game.records.recorder import record
 from pool2d.game.records.replaying import strokes
 from pool2d.physics.values import Shot
-from tests.random_play import new_match
 
 
 def unlzw(data: bytes, root: int = 8) -> bytes:

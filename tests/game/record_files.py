@@ -7,31 +7,25 @@ import random
 from pathlib import Path
 from typing import Any
 
+from benchmarks.random_play import go_on, new_match
 from pool2d.game.match import Match
 from pool2d.game.records import moments
 from pool2d.game.records.earlier import digest
 from pool2d.game.records.record import Record, load, seal
 from pool2d.game.records.recorder import Recorder, record
 
-from ..random_play import new_match, random_action
 
-
-def go_on(recorder: Recorder, actions: int, seed: int, undone: float = 0.15) -> Recorder:
-    """The recorder after random actions, so many parts of which were undone, and half of those done again."""
-    rng = random.Random(seed)
-    for _ in range(actions):
-        if recorder.match.over:
-            break
-        recorder.play(random_action(recorder.match, rng))
-        if rng.random() < undone and recorder.undo() and rng.random() < 0.5:
-            recorder.redo()
+def played_on(recorder: Recorder, actions: int, seed: int) -> Recorder:
+    """The recorder after random actions, some of them undone and done again."""
+    go_on(recorder, actions, random.Random(seed), undone=0.15)
     return recorder
 
 
 def played(path: Path, game: str = "nine-ball", seed: int = 3, actions: int = 16) -> Match:
     """A match on record, some of whose actions were undone and done again."""
     with record(new_match(game, seed, race=2), path) as recorder:
-        return go_on(recorder, actions, seed, undone=0.2).match
+        go_on(recorder, actions, random.Random(seed), undone=0.2)
+        return recorder.match
 
 
 def bodies(path: Path) -> list[dict[str, Any]]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from benchmarks.random_play import new_match, random_action
 from pool2d import InputError, Shot, load_table
 from pool2d.game.actions import Stroke
 from pool2d.game.match import Match
@@ -25,7 +26,6 @@ from pool2d.game.records.replaying import (
 from pool2d.game.rules import GAMES
 from pool2d.game.setup import Setup
 
-from ..random_play import new_match, random_action
 from .record_files import bodies, played, rewrite, stands
 
 # Records of earlier versions.

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from benchmarks.random_play import new_match, random_action
 from pool2d import Ball, InputError, Layout, Shot, Table, load_table
 from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke, as_dict, from_dict
 from pool2d.game.match import Match, Moment
@@ -20,7 +21,6 @@ from pool2d.game.setup import LOSER, WINNER, Setup, setup_of
 from pool2d.game.tally import after_stroke
 from pool2d.physics.values import POCKETED
 
-from ..random_play import new_match, random_action
 from ..table.test_position_text import layouts, shots
 from .rules import notation
 

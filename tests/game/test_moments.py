@@ -9,14 +9,13 @@ from typing import Any
 
 import pytest
 
+from benchmarks.random_play import new_match, random_action
 from pool2d import InputError, Shot, load_table
 from pool2d.game.actions import Stroke
 from pool2d.game.match import Match, lagged
 from pool2d.game.records import moments
 from pool2d.game.rules import GAMES
 from pool2d.game.setup import LAG, Setup
-
-from ..random_play import new_match, random_action
 
 # Moments.
 

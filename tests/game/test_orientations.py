@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import pytest
 
+from benchmarks.random_play import new_match, random_action
 from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
 from pool2d.game.actions import Arrange, Stroke
 from pool2d.game.falling import DROP, ending, fallen, falling
@@ -15,8 +16,6 @@ from pool2d.game.match import Match
 from pool2d.game.orientations import OrientationTracker, racked_orientations
 from pool2d.game.setup import Setup
 from pool2d.physics.orientation import BallRotation, Quaternion, matrix, turn
-
-from ..random_play import new_match, random_action
 
 TABLE = load_table("pool-9ft")
 POCKETS = TABLE.geometry.pockets

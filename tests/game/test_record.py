@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from benchmarks.random_play import new_match
 from pool2d import InputError, Shot, load_table
 from pool2d.cli import main
 from pool2d.game.actions import Stroke
@@ -20,8 +21,7 @@ from pool2d.game.records.replaying import BY_RECORD, Divergence, restored, strok
 from pool2d.game.rules import GAMES
 from pool2d.game.setup import Setup, setup_of
 
-from ..random_play import new_match
-from .record_files import go_on
+from .record_files import played_on
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -31,21 +31,21 @@ def good(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """What a record of a few actions holds."""
     path = tmp_path_factory.mktemp("good") / "a.jsonl"
     with record(new_match("nine-ball", 3), path) as recorder:
-        go_on(recorder, 8, seed=3)
+        played_on(recorder, 8, seed=3)
     return path.read_bytes()
 
 
 @pytest.mark.parametrize("game", GAMES)
 def test_a_record_verifies_and_is_gone_on_with(game: str) -> None:
     with record(new_match(game, 2, race=2)) as recorder:
-        go_on(recorder, 14, seed=1)
+        played_on(recorder, 14, seed=1)
         before = recorder.match
     assert verify(load(recorder.path)) is None
     with resume(recorder.path) as again:
         assert again.match.now.ruling == before.now.ruling
         assert again.match.now.tallies == before.now.tallies
         assert [moment.action for moment in again.match.history] == [moment.action for moment in before.history]
-        go_on(again, 4, seed=9)
+        played_on(again, 4, seed=9)
     assert verify(load(recorder.path)) is None
 
 

@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 
 from benchmarks import replays
+from benchmarks.random_play import new_match
 from pool2d import InputError, Shot
 from pool2d.game.actions import Concede, Stroke
 from pool2d.game.records.record import load, matches_folder
 from pool2d.game.records.recorder import record, records, remove, resume, unfinished
 from pool2d.game.records.replaying import verify
 
-from ..random_play import new_match
-from .record_files import go_on
+from .record_files import played_on
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -27,7 +27,7 @@ def test_unfinished_matches_are_offered_the_latest_first(tmp_path: Path) -> None
     paths = []
     for seed in range(3):
         with record(new_match("nine-ball", seed)) as recorder:
-            go_on(recorder, 2, seed=1)
+            played_on(recorder, 2, seed=1)
         os.utime(recorder.path, (seed, seed))
         paths.append(recorder.path)
     with record(new_match("nine-ball", 9)):
@@ -52,7 +52,7 @@ def test_two_windows_do_not_write_one_record() -> None:
     if sys.platform == "win32":
         pytest.skip("Windows has no such locks")
     with record(new_match("nine-ball", 3)) as recorder:
-        go_on(recorder, 2, seed=1)
+        played_on(recorder, 2, seed=1)
         before = recorder.path.read_bytes()
         with pytest.raises(InputError, match="is being played in another window"):
             resume(recorder.path)

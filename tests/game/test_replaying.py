@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from benchmarks.random_play import random_action
 from pool2d import InputError, Layout, Shot, Table, load_table, simulate
 from pool2d.cli import main
 from pool2d.config.folders import data_folder
@@ -35,7 +36,6 @@ from pool2d.game.rules.pool import nine_ball
 from pool2d.game.setup import Setup
 from pool2d.physics.values import POCKETED
 
-from ..random_play import random_action
 from .record_files import bodies, played, rewrite, stands
 
 

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from docs import pictures
-from docs.picture_scenes import SCENES, Scene
+from docs.picture_scenes import SCENES, PictureScene
 
 SIZE = (640, 360)
 
@@ -14,7 +14,7 @@ SIZE = (640, 360)
 @pytest.fixture(scope="module")
 def untouched() -> bytes:
     """The window before a hand does anything."""
-    return pygame.image.tobytes(pictures.draw(Scene("", lambda hand: None), SIZE), "RGB")
+    return pygame.image.tobytes(pictures.draw(PictureScene("", lambda hand: None), SIZE), "RGB")
 
 
 @pytest.mark.parametrize("name", [name for name in SCENES if not name.startswith("table-")])

@@ -10,6 +10,7 @@ from pathlib import Path
 import pygame
 import pytest
 
+from benchmarks.random_play import new_match
 from pool2d import InputError, load_table
 from pool2d.cli import main
 from pool2d.config.folders import data_folder
@@ -32,7 +33,6 @@ from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.replay.replay_state import PAUSE
 from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.widgets.widget import Heading
-from tests.random_play import new_match
 
 from .conftest import FRAME, Hand
 
