@@ -11,6 +11,9 @@ import pool2d
 from pool2d import Ball, Layout, Shot, Table, simulate
 from pool2d.physics.body import Body
 from pool2d.physics.contact import Contacts
+from pool2d.physics.crowd import Crowd
+from pool2d.physics.materials import materials
+from pool2d.physics.motion import start
 from tests.scenes import break_shot, random_shot
 
 BREAKS, SHOTS = 15, 400
@@ -44,20 +47,21 @@ def contact(table: Table, law: str) -> float:
     """Microseconds that one contact takes to solve: of two balls, or of a ball and a cushion."""
     radius, mass = table.knobs.ball.radius, table.knobs.ball.mass
     reach = table.reach(radius)
-    contacts = Contacts(table, [reach, reach])
+    made, elements = materials(table.physics), list(table.elements)
     rail = next(element for element in table.elements if element.name == "right")
     x, y = table.knobs.table.length - reach, 0.5 * table.knobs.table.width
     count, total = 4000, 0.0
     for i in range(count):
         spin = (i % 7 - 3) * 10.0
         moving = Ball("1", x if law == "cushion" else 1.0, y, 1.0, 0.3, spin, 30.0, -spin)
-        a = Body(moving, 0, radius, mass)
-        b = Body(Ball("2", 1.0 + 2.0 * radius, y), 1, radius, mass)
+        a = Body(moving, 0, radius, mass, reach)
+        b = Body(Ball("2", 1.0 + 2.0 * radius, y), 1, radius, mass, reach)
+        contacts = Contacts(Crowd([a, b], [start(body, 0.0, made.cloth) for body in (a, b)]), elements, made)
         begin = time.perf_counter()
         if law == "ball":
-            contacts.balls(a, b, [a, b], 0.0)
+            contacts.balls(a, b, 0.0)
         else:
-            contacts.cushion(a, rail, [a], 0.0)
+            contacts.cushion(a, rail, 0.0)
         total += time.perf_counter() - begin
     return 1e6 * total / count
 

@@ -179,7 +179,7 @@ def _shot(layout: Layout, rng: random.Random) -> Shot:
     size = max(1.0, math.hypot(side, height) * (1.0 + 1e-9))
     return Shot(
         angle=rng.choice((0.0, 90.0, 180.0, -90.0, *(rng.uniform(-180.0, 180.0) for _ in range(4)))),
-        speed=rng.choice((0.0, 50.0, rng.uniform(0.0, 12.0), 10.0 ** rng.uniform(-6.0, 1.7))),
+        speed=rng.choice((0.0, 50.0, rng.uniform(0.0, 12.0), min(10.0 ** rng.uniform(-6.0, 1.7), 50.0))),
         side=side / size,
         height=height / size,
         elevation=rng.choice((0.0, 90.0, 89.999, rng.uniform(0.0, 90.0))),

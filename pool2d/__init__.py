@@ -12,7 +12,8 @@ from .lazy import fetched
 
 if TYPE_CHECKING:
     from .errors import BudgetError, InputError
-    from .physics.rollout import Event, Rollout
+    from .physics.event import Event
+    from .physics.rollout import Rollout
     from .physics.simulate import simulate
     from .physics.values import Ball, Layout, Shot
     from .table.preset import load_table

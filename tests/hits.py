@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import NamedTuple
 
 from pool2d import Ball, Layout, Table, simulate
 from pool2d.physics.body import Body
 from pool2d.physics.detect import SKIN
-from pool2d.physics.laws.registry import BALL_LAWS, CUSHION_LAWS
+from pool2d.physics.laws.registry import CUSHION_LAWS
 from pool2d.physics.materials import materials
 from pool2d.physics.params import BallKnobs, Physics
 from pool2d.physics.values import SLIDING
@@ -80,7 +81,8 @@ def touching(cut: float, v: float, wz: float) -> tuple[Body, Body]:
 
 def collide_balls(law: str, a: Body, b: Body, physics: Physics) -> None:
     """Let a law alone act on two balls that touch."""
-    BALL_LAWS[law].collide(a, b, materials(physics).ball)
+    made = materials(replace(physics, ball=replace(physics.ball, law=law)))
+    made.ball_law.collide(a, b, made.ball)
 
 
 def collide_cushion(law: str, ball: Body, nx: float, ny: float, physics: Physics) -> None:

@@ -9,8 +9,9 @@ from functools import lru_cache
 import pygame
 
 from ..config.settings import GUIDES
+from ..physics.event import Event
 from ..physics.motion import Motion
-from ..physics.rollout import Event, Rollout
+from ..physics.rollout import Rollout
 from ..physics.values import POCKETED, SLIDING, Ball, EventKind
 from ..table.furniture import Look
 from ..table.table import Table

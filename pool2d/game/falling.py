@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..physics.detect import Pocket
+from ..physics.event import Event
 from ..physics.orientation import BallRotation, Quaternion, product, turn
-from ..physics.rollout import Event, Rollout
+from ..physics.rollout import Rollout
 
 # How long a ball takes from the rim out of sight, s.
 DROP = 0.3

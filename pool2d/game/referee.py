@@ -12,8 +12,9 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from ..physics.event import Event
 from ..physics.motion import Motion
-from ..physics.rollout import Event, Rollout
+from ..physics.rollout import Rollout
 from ..physics.values import MISCUE, Ball
 from ..table.table import Table
 from .rules.corners import corner_of, lines

@@ -22,8 +22,7 @@ PRACTICE = "practice"
 class Session:
     """A match as the window plays it: shots, cue ball in hand, choices, undo and redo.
 
-    With a `recorder` every action is written to the disk; practice has none. It has more methods than most classes, as
-    the window asks it for all that concerns the game.
+    With a `recorder` every action is written to the disk; practice has none.
     """
 
     def __init__(self, match: Match, recorder: Recorder | None = None) -> None:

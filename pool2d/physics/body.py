@@ -2,31 +2,37 @@
 
 from __future__ import annotations
 
+from typing import final
+
 from .values import Ball
 
 Velocity = tuple[float, float, float, float, float]
 
 
+@final
 class Body:
     """What contacts change, and what a new motion starts from.
 
-    Up to the time `paid`, s, it has had the cloth's friction in advance (see `pressing`).
+    Place and velocity hold at the time `t`, s. `reach` is how far from a nose, in plan, its centre is when it touches,
+    m. Up to the time `paid`, s, it has had the cloth's friction in advance (see `pressing`).
     """
 
-    __slots__ = ("id", "index", "radius", "mass", "x", "y", "vx", "vy", "wx", "wy", "wz", "paid")
+    __slots__ = ("id", "index", "radius", "mass", "reach", "x", "y", "vx", "vy", "wx", "wy", "wz", "t", "paid")
 
-    def __init__(self, ball: Ball, index: int, radius: float, mass: float) -> None:
-        self.id = ball.id
+    def __init__(self, ball: Ball, index: int, radius: float, mass: float, reach: float = 0.0) -> None:
+        self.id: str = ball.id
         self.index = index
         self.radius = radius
         self.mass = mass
-        self.x = ball.x
-        self.y = ball.y
-        self.vx = ball.vx
-        self.vy = ball.vy
-        self.wx = ball.wx
-        self.wy = ball.wy
-        self.wz = ball.wz
+        self.reach = reach
+        self.x: float = ball.x
+        self.y: float = ball.y
+        self.vx: float = ball.vx
+        self.vy: float = ball.vy
+        self.wx: float = ball.wx
+        self.wy: float = ball.wy
+        self.wz: float = ball.wz
+        self.t = 0.0
         self.paid = 0.0
 
     def velocity(self) -> Velocity:
@@ -39,4 +45,4 @@ class Body:
     def energy(self) -> float:
         """Kinetic energy of travel and spin, J."""
         spin = self.wx * self.wx + self.wy * self.wy + self.wz * self.wz
-        return 0.5 * self.mass * (self.vx**2 + self.vy**2 + 0.4 * self.radius * self.radius * spin)
+        return 0.5 * self.mass * (self.vx * self.vx + self.vy * self.vy + 0.4 * self.radius * self.radius * spin)

@@ -15,9 +15,10 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Final, final
 
 from .body import Body
+from .crowd import Crowd
 from .detect import NOISE, Element
 from .energy import take_back
 from .laws.rebound import rebound
@@ -25,40 +26,52 @@ from .materials import Materials
 from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, pace
 
 # An impact of balls is over long before this many times the duration of one; a guard, not a limit that is met.
-_LONGEST = 400
+_LONGEST: Final = 400
 # A ball that friction wedges into a cushion could stay there as long as it spins. After this many times the
 # duration of a rebound that is no impact any more (see `_unjam`).
-_HELD = 2
+_HELD: Final = 2
 # How often the approaches of wedged balls are shared out.
-_ROUNDS = 100
+_ROUNDS: Final = 100
 
 
-class Group(NamedTuple):
+@final
+class Group:
     """What touches or nearly does: pairs of balls, and balls with elements of the table, with their gaps."""
 
-    pairs: list[tuple[Body, Body, float]]
-    noses: list[tuple[Body, Element, float]]
+    __slots__ = ("pairs", "noses")
+
+    def __init__(self, pairs: list[tuple[Body, Body, float]], noses: list[tuple[Body, Element, float]]) -> None:
+        self.pairs = pairs
+        self.noses = noses
+
+    def balls(self) -> list[Body]:
+        """Every ball of it, some more than once."""
+        return [ball for a, b, _ in self.pairs for ball in (a, b)] + [ball for ball, _, _ in self.noses]
 
 
-def linked(first: Sequence[Body], bodies: list[Body], room: float) -> list[tuple[Body, Body, float]]:
+def linked(first: list[Body], crowd: Crowd, room: float, now: float) -> list[tuple[Body, Body, float]]:
     """The pairs of balls within `room` of each other that the first ones are linked to, with their gaps."""
     found: list[tuple[Body, Body, float]] = []
     balls = list(first)
     seen = {ball.index for ball in first}
     for ball in balls:
-        for other in bodies:
+        for other in crowd.around(ball, ball.radius + crowd.largest + room, now):
             touch = 2.0 * math.sqrt(ball.radius * other.radius)
             reach = touch + room
             dx, dy = other.x - ball.x, other.y - ball.y
-            if other is ball or abs(dx) > reach or abs(dy) > reach or dx * dx + dy * dy > reach * reach:
+            if dx * dx + dy * dy > reach * reach:
                 continue
             if other.index not in seen:
                 seen.add(other.index)
                 balls.append(other)
             if ball.index < other.index:
                 found.append((ball, other, max(0.0, math.hypot(dx, dy) - touch)))
-    found.sort(key=lambda pair: (pair[0].index, pair[1].index))
+    found.sort(key=_places)
     return found
+
+
+def _places(pair: tuple[Body, Body, float]) -> tuple[int, int]:
+    return pair[0].index, pair[1].index
 
 
 def facing(ball: Body, elements: Sequence[Element], reach: float, room: float) -> list[tuple[Element, float]]:
@@ -95,15 +108,20 @@ def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSp
     ]
     springs: list[Spring] = [*pairs, *noses]
     before = {ball.index: ball.energy() for spring in springs for ball in spring.balls}
-    shortest, longest = min(spring.step for spring in springs), max(spring.step for spring in springs)
+    steps = [spring.step for spring in springs]
+    shortest, longest = min(steps), max(steps)
     time, end = 0.0, STEPS * longest * (_HELD if noses else _LONGEST)
     while time < end:
-        dt = shortest if shortest == longest else min([pace(spring, longest) for spring in springs])
+        dt = shortest
+        if shortest < longest:
+            dt = longest
+            for spring in springs:
+                dt = min(dt, pace(spring, longest))
         for spring in springs:
             spring.press(dt)
         for spring in springs:
             spring.act()
-        if time > dt and not any(spring.depth > 0.0 for spring in springs):
+        if time > dt and _parted(springs):
             break
         time += dt
     else:
@@ -112,6 +130,14 @@ def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSp
     met = {ball.index: ball for spring in springs if spring.met for ball in spring.balls}
     take_back(list(met.values()), math.fsum([before[index] for index in met]), any(nose.met for nose in noses))
     return [pair for pair in pairs if pair.met], [nose for nose in noses if nose.met]
+
+
+def _parted(springs: list[Spring]) -> bool:
+    """Whether no contact is closed."""
+    for spring in springs:  # noqa: SIM110 - a loop compiles to one; a generator to an object for each step
+        if spring.depth > 0.0:
+            return False
+    return True
 
 
 def _unjam(springs: list[Spring]) -> None:

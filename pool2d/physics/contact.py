@@ -3,118 +3,114 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import final
 
 from .body import Body
 from .cluster import Group, facing, linked, solve
+from .crowd import Crowd
 from .detect import NOISE, Element
-from .materials import materials
+from .materials import Materials
 from .motion import Motion
-from .params import Physics
 from .pressing import Side, press
+from .roots import INF
 from .springs import depth, yielding
 
-
-class Surroundings(Protocol):
-    """What contacts need of a table."""
-
-    @property
-    def physics(self) -> Physics: ...
-
-    @property
-    def elements(self) -> Sequence[Element]: ...
-
-    def near(self, left: float, bottom: float, right: float, top: float) -> list[int]:
-        """The indices of the elements that a box, in m, may touch: the broad phase."""
-        ...
+Pair = tuple[Body, Body]
+Touch = tuple[Body, str]
 
 
-class Met(NamedTuple):
+@final
+class Met:
     """Which balls touched each other, and which touched which cushions, by name; what set it off first.
 
     `pressed` has the motions, just before, of balls that the cloth pressed into it (see `pressing`).
     """
 
-    pairs: tuple[tuple[Body, Body], ...]
-    rails: tuple[tuple[Body, str], ...]
-    pressed: list[Motion]
+    __slots__ = ("pairs", "rails", "pressed")
+
+    def __init__(self, pairs: list[Pair], rails: list[Touch], pressed: list[Motion]) -> None:
+        self.pairs = pairs
+        self.rails = rails
+        self.pressed = pressed
 
 
+@final
 class Contacts:
-    """How things that meet on one table part again.
+    """How things that meet on one table part again."""
 
-    `reach` gives each ball's distance, in plan, from a nose that it touches.
-    """
+    __slots__ = ("crowd", "cushions", "materials")
 
-    def __init__(self, table: Surroundings, reach: Sequence[float]) -> None:
-        self.table = table
-        self.physics = table.physics
-        self.reach = reach
-        self.materials = materials(self.physics)
+    def __init__(self, crowd: Crowd, elements: list[Element], materials: Materials) -> None:
+        self.crowd = crowd
+        self.cushions = [element for element in elements if element.kind == "ball_cushion"]
+        self.materials = materials
 
-    def cushion(self, ball: Body, element: Element, present: list[Body], now: float) -> Met:
-        """A ball meets a cushion among the balls `present`."""
+    def cushion(self, ball: Body, element: Element, now: float) -> Met:
+        """A ball meets a cushion."""
         nx, ny = element.normal(ball.x, ball.y)
-        pressed = self._press([Side(ball, nx, ny)], ball.vx * nx + ball.vy * ny, now)
+        pressed = press([Side(ball, nx, ny)], ball.vx * nx + ball.vy * ny, now, self.materials.cloth)
         speed = ball.vx * nx + ball.vy * ny
         if speed > NOISE:
             # A cushion gives way by far more than a ball: others of its kind are reached from further off.
-            group = self._group([ball], present, depth(ball, ball, speed), yielding(ball, speed))
-            met = self._together(group, speed, present)
+            group = self._group([ball], depth(ball, ball, speed), yielding(ball, speed), now)
+            met = self._together(group, speed, pressed)
             if met is not None:
-                rails = sorted(met.rails, key=lambda rail: rail != (ball, element.name))
-                return Met(met.pairs, tuple(rails), pressed)
+                met.rails.sort(key=lambda rail: rail != (ball, element.name))
+                return met
             self.materials.cushion_law.collide(ball, nx, ny, self.materials.cushion)
-        return Met((), ((ball, element.name),), pressed)
+        return Met([], [(ball, element.name)], pressed)
 
-    def balls(self, a: Body, b: Body, present: list[Body], now: float) -> Met:
-        """Two balls meet among those `present`."""
+    def balls(self, a: Body, b: Body, now: float) -> Met:
+        """Two balls meet."""
         nx, ny = _toward(a, b)
-        pressed = self._press([Side(a, nx, ny), Side(b, -nx, -ny)], _approach(a, b), now)
+        pressed = press([Side(a, nx, ny), Side(b, -nx, -ny)], _approach(a, b), now, self.materials.cloth)
         speed = _approach(a, b)
         if speed > NOISE:
             room = depth(a, b, speed)
-            met = self._together(self._group([a, b], present, room, room), speed, present)
+            met = self._together(self._group([a, b], room, room, now), speed, pressed)
             if met is not None:
-                pairs = sorted(met.pairs, key=lambda pair: pair != (a, b))
-                return Met(tuple(pairs), met.rails, pressed)
+                met.pairs.sort(key=lambda pair: pair != (a, b))
+                return met
             self.materials.ball_law.collide(a, b, self.materials.ball)
-        return Met(((a, b),), (), pressed)
+        return Met([(a, b)], [], pressed)
 
-    def _group(self, first: list[Body], present: list[Body], room: float, yielding: float) -> Group:
+    def _group(self, first: list[Body], room: float, yielding: float, now: float) -> Group:
         """What the first balls touch, or reach while the impact lasts: `room` away, or a cushion `yielding` away."""
-        pairs = linked(first, present, room)
-        balls = sorted({ball.index: ball for ball in (*first, *(ball for pair in pairs for ball in pair[:2]))}.items())
-        spans = [(ball, self.reach[index], yielding if ball in first else room) for index, ball in balls]
-        near = self.table.near(
-            min(ball.x - reach - far for ball, reach, far in spans),
-            min(ball.y - reach - far for ball, reach, far in spans),
-            max(ball.x + reach + far for ball, reach, far in spans),
-            max(ball.y + reach + far for ball, reach, far in spans),
-        )
-        cushions = [self.table.elements[i] for i in near if self.table.elements[i].kind == "ball_cushion"]
+        pairs = linked(first, self.crowd, room, now)
+        balls = {ball.index: ball for ball in first}
+        for a, b, _ in pairs:
+            balls[a.index] = a
+            balls[b.index] = b
+        spans = [(balls[index], yielding if balls[index] in first else room) for index in sorted(balls)]
+        cushions = self._cushions_near(spans)
         if not cushions:
             return Group(pairs, [])
         noses = [
-            (ball, element, gap) for ball, reach, far in spans for element, gap in facing(ball, cushions, reach, far)
+            (ball, element, gap) for ball, far in spans for element, gap in facing(ball, cushions, ball.reach, far)
         ]
         return Group(pairs, noses)
 
-    def _together(self, group: Group, speed: float, present: list[Body]) -> Met | None:
+    def _cushions_near(self, spans: list[tuple[Body, float]]) -> list[Element]:
+        """The cushions about balls, each with how far from touching it they count."""
+        left = bottom = INF
+        right = top = -INF
+        for ball, far in spans:
+            reach = ball.reach + far
+            left, bottom = min(left, ball.x - reach), min(bottom, ball.y - reach)
+            right, top = max(right, ball.x + reach), max(top, ball.y + reach)
+        return [element for element in self.cushions if element.near(left, bottom, right, top)]
+
+    def _together(self, group: Group, speed: float, pressed: list[Motion]) -> Met | None:
         """Solve a group as one; None, and nothing changed, where only one contact is in it after all."""
         if len(group.pairs) + len(group.noses) < 2:
             return None
-        before = [(ball, ball.velocity()) for ball in present]
+        before = [(ball, ball.velocity()) for ball in group.balls()]
         pairs, noses = solve(group, speed, self.materials)
         if len(pairs) + len(noses) < 2:
             for ball, velocity in before:
                 ball.set_velocity(velocity)
             return None
-        return Met(tuple((pair.a, pair.b) for pair in pairs), tuple((nose.ball, nose.name) for nose in noses), [])
-
-    def _press(self, sides: list[Side], approach: float, now: float) -> list[Motion]:
-        return press(sides, approach, now, self.physics.cloth, self.physics.gravity)
+        return Met([(pair.a, pair.b) for pair in pairs], [(nose.ball, nose.name) for nose in noses], pressed)
 
 
 def _approach(a: Body, b: Body) -> float:

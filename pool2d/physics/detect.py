@@ -7,61 +7,72 @@ rack or on a rail, are an ordinary case of balls a little apart.
 from __future__ import annotations
 
 import math
-from typing import Protocol
+from typing import Final, final
 
 from .motion import Motion
-from .roots import falling_root, first_root
+from .roots import INF, falling_root, first_root
 from .values import EventKind
 
 # How far two surfaces may enter each other before they count as met, m.
-SKIN = 5e-10
+SKIN: Final = 5e-10
 # A gap that is no more than rounding after a contact was solved, m, and such a speed, m/s.
-TOUCH = 1e-12
-NOISE = 1e-12
+TOUCH: Final = 1e-12
+NOISE: Final = 1e-12
 # A point this near a surface, m, is on it.
-SURFACE = 1e-9
+SURFACE: Final = 1e-9
 
 
-class Element(Protocol):
+class Element:
     """A part of the table that a ball can meet. New kinds of element need only this.
 
-    `kind` is the kind of event, `name` what its `where` says.
+    `kind` is the kind of event, `name` what its `where` says; (left, bottom, right, top) is a box that holds it.
     """
 
-    kind: EventKind
-    name: str
+    __slots__ = ("kind", "name", "left", "bottom", "right", "top")
+
+    def __init__(self, kind: EventKind, name: str) -> None:
+        self.kind: EventKind = kind
+        self.name = name
+        # Until a table says how far it reaches, it is everywhere.
+        self.left = self.bottom = -INF
+        self.right = self.top = INF
+
+    def near(self, left: float, bottom: float, right: float, top: float) -> bool:
+        """Whether a box may touch this."""
+        return self.left <= right and left <= self.right and self.bottom <= top and bottom <= self.top
 
     def time(self, motion: Motion, reach: float, end: float) -> float:
         """When, counted from the motion's start and up to `end`, a ball meets this; else infinite.
 
         `reach` is the distance in plan at which the ball touches a cushion's nose.
         """
-        ...
+        raise NotImplementedError
 
     def normal(self, x: float, y: float) -> tuple[float, float]:
         """The unit vector from a ball at (x, y) into the element."""
-        ...
+        raise NotImplementedError
 
     def gap(self, x: float, y: float, reach: float) -> float:
         """How far a ball at (x, y) is from this, m; negative where they overlap."""
-        ...
+        raise NotImplementedError
 
     def point(self, x: float, y: float) -> tuple[float, float] | None:
         """Where a ball at (x, y) touches this, or would; None where it has nothing across from the ball."""
-        ...
+        raise NotImplementedError
 
     def covers(self, x: float, y: float) -> bool:
         """Whether a point lies within or behind this, so that no ball can touch anything there."""
-        ...
+        raise NotImplementedError
 
 
-class Rail:
+@final
+class Rail(Element):
     """A straight nose from (ax, ay) to (bx, by), with the table on its left."""
 
-    kind: EventKind = "ball_cushion"
+    __slots__ = ("ax", "ay", "bx", "by", "dx", "dy", "length")
 
     def __init__(self, name: str, ax: float, ay: float, bx: float, by: float) -> None:
-        self.name = name
+        super().__init__("ball_cushion", name)
         self.ax, self.ay, self.bx, self.by = ax, ay, bx, by
         self.length = math.hypot(bx - ax, by - ay)
         self.dx, self.dy = (bx - ax) / self.length, (by - ay) / self.length
@@ -89,13 +100,14 @@ class Rail:
         return -SURFACE < along < self.length + SURFACE and self.dx * py - self.dy * px < SURFACE
 
 
-class Jaw:
+@final
+class Jaw(Element):
     """A rounded end of a cushion: a circle of `radius` in plan."""
 
-    kind: EventKind = "ball_cushion"
+    __slots__ = ("x", "y", "radius")
 
     def __init__(self, name: str, x: float, y: float, radius: float) -> None:
-        self.name = name
+        super().__init__("ball_cushion", name)
         self.x, self.y, self.radius = x, y, radius
 
     def time(self, motion: Motion, reach: float, end: float) -> float:
@@ -116,13 +128,14 @@ class Jaw:
         return math.hypot(self.x - x, self.y - y) < self.radius - SURFACE
 
 
-class Pocket:
+@final
+class Pocket(Element):
     """The rim over which a ball falls: it drops when its centre is above the rim."""
 
-    kind: EventKind = "ball_pocket"
+    __slots__ = ("x", "y", "radius")
 
     def __init__(self, name: str, x: float, y: float, radius: float) -> None:
-        self.name = name
+        super().__init__("ball_pocket", name)
         self.x, self.y, self.radius = x, y, radius
 
     def time(self, motion: Motion, reach: float, end: float) -> float:
@@ -140,6 +153,18 @@ class Pocket:
 
     def covers(self, x: float, y: float) -> bool:
         return False
+
+
+def nearest(elements: list[Element], x: float, y: float, radius: float, reach: float) -> tuple[float, Element | None]:
+    """How far a ball at (x, y) is from the nearest element, m, and which; infinite where none is near."""
+    least, found = INF, None
+    left, bottom, right, top = x - radius, y - radius, x + radius, y + radius
+    for element in elements:
+        if element.left <= right and left <= element.right and element.bottom <= top and bottom <= element.top:
+            gap = element.gap(x, y, reach)
+            if gap < least:
+                least, found = gap, element
+    return least, found
 
 
 def time_ball_ball(a: Motion, b: Motion, now: float, end: float, touch: float) -> float:
@@ -170,9 +195,9 @@ def time_ball_rail(motion: Motion, rail: Rail, reach: float, end: float) -> floa
     else:
         t = falling_root(c0, c1, c2)
     if not 0.0 <= t <= end:
-        return math.inf
+        return INF
     along = (px + (motion.vx + motion.hx * t) * t) * rail.dx + (py + (motion.vy + motion.hy * t) * t) * rail.dy
-    return t if -SKIN <= along <= rail.length + SKIN else math.inf
+    return t if -SKIN <= along <= rail.length + SKIN else INF
 
 
 def time_ball_jaw(motion: Motion, jaw: Jaw, reach: float, end: float) -> float:
@@ -200,14 +225,14 @@ def _time_to_circle(x: float, y: float, vx: float, vy: float, hx: float, hy: flo
     side0 = x * by - y * bx
     side1 = side0 + 0.5 * end * (vx * by - vy * bx)
     if side0 * side1 > 0.0 and side0 * side0 > far and side1 * side1 > far:
-        return math.inf
+        return INF
     along0 = x * bx + y * by
     along1 = along0 + 0.5 * end * (vx * bx + vy * by)
     along2 = along0 + bx * bx + by * by
-    nearest = min(along0, along1, along2)
-    furthest = max(along0, along1, along2)
+    nearest = min(min(along0, along1), along2)
+    furthest = max(max(along0, along1), along2)
     if (nearest > 0.0 and nearest * nearest > far) or (furthest < 0.0 and furthest * furthest > far):
-        return math.inf
+        return INF
     c0 = x * x + y * y - radius * radius
     c1 = 2.0 * (x * vx + y * vy)
     c2 = vx * vx + vy * vy + 2.0 * (x * hx + y * hy)

@@ -1,29 +1,44 @@
-"""What the balls and cushions of one table are made of, as the laws read it: worked out once from its knobs."""
+"""What balls, cushions and cloth of one table are made of, as the engine reads it: worked out once from its knobs."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import final
 
 from .laws.law import BallLaw, BallNumbers, CushionLaw, CushionNumbers
 from .laws.registry import BALL_LAWS, CUSHION_LAWS
+from .motion import ClothNumbers
 from .params import Physics
 
 
-class Materials(NamedTuple):
-    """The two laws of a table, and the numbers that each reads."""
+@final
+class Materials:
+    """The two laws of a table, the numbers that each reads, and the cloth's."""
 
-    ball_law: BallLaw
-    ball: BallNumbers
-    cushion_law: CushionLaw
-    cushion: CushionNumbers
+    __slots__ = ("ball_law", "ball", "cushion_law", "cushion", "cloth")
+
+    def __init__(
+        self,
+        ball_law: BallLaw,
+        ball: BallNumbers,
+        cushion_law: CushionLaw,
+        cushion: CushionNumbers,
+        cloth: ClothNumbers,
+    ) -> None:
+        self.ball_law = ball_law
+        self.ball = ball
+        self.cushion_law = cushion_law
+        self.cushion = cushion
+        self.cloth = cloth
 
 
 def materials(physics: Physics) -> Materials:
     """The laws that a table's knobs name, with their numbers."""
     ball, cushion, cloth = physics.ball, physics.cushion, physics.cloth
+    law = BALL_LAWS[ball.law]
     return Materials(
-        BALL_LAWS[ball.law],
-        BallNumbers(ball.restitution, ball.friction, ball.cling, cloth.mu_slide),
+        law,
+        BallNumbers(ball.restitution, law.friction(ball.friction, ball.cling), cloth.mu_slide),
         CUSHION_LAWS[cushion.law],
         CushionNumbers(cushion.restitution, cushion.friction, cushion.nose_height, cloth.mu_slide),
+        ClothNumbers(cloth.mu_slide, cloth.mu_roll, cloth.mu_spin, physics.gravity),
     )

@@ -9,31 +9,50 @@ own at 5 mu_sp g / (2R). (Coriolis 1835; Alciatore TP 4.1, TP A.4.)
 from __future__ import annotations
 
 import math
+from typing import Final, final
 
 from .body import Body
-from .params import Cloth
+from .roots import INF
 from .values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING, Ball, Phase
 
 # Below this a slip or a speed is rounding, m/s.
-STILL = 1e-9
+STILL: Final = 1e-9
 
 
+@final
+class ClothNumbers:
+    """What motions read of the cloth: its friction for sliding, rolling and spinning balls, and gravity, m/s2."""
+
+    __slots__ = ("mu_slide", "mu_roll", "mu_spin", "gravity")
+
+    def __init__(self, mu_slide: float, mu_roll: float, mu_spin: float, gravity: float) -> None:
+        self.mu_slide = mu_slide
+        self.mu_roll = mu_roll
+        self.mu_spin = mu_spin
+        self.gravity = gravity
+
+
+@final
 class Motion:
     """One ball from `t0` until `t1`: place quadratic in time, spin linear.
 
     (x, y), (vx, vy), (wx, wy, wz) hold at `t0`; (hx, hy) is half the acceleration, (bx, by) the rate
     of the horizontal spin and `bz` the speed at which |wz| falls. `t1` is where the phase ends by
-    itself, infinite for a ball at rest.
+    itself, infinite for a ball at rest. (left, bottom, right, top) is the box of `bound`.
     """
 
-    __slots__ = ("id", "phase", "t0", "t1", "x", "y", "vx", "vy", "hx", "hy", "wx", "wy", "wz", "bx", "by", "bz")
+    __slots__ = (
+        "id", "index", "phase", "t0", "t1", "x", "y", "vx", "vy", "hx", "hy", "wx", "wy", "wz", "bx", "by", "bz",
+        "left", "bottom", "right", "top",
+    )  # fmt: skip
 
     def __init__(
         self, body: Body, phase: Phase, t0: float, t1: float,
         hx: float = 0.0, hy: float = 0.0, bx: float = 0.0, by: float = 0.0, bz: float = 0.0,
     ) -> None:  # fmt: skip
         self.id = body.id
-        self.phase = phase
+        self.index = body.index
+        self.phase: Phase = phase
         self.t0 = t0
         self.t1 = t1
         self.x = body.x
@@ -48,6 +67,8 @@ class Motion:
         self.bx = bx
         self.by = by
         self.bz = bz
+        self.left = self.right = body.x
+        self.bottom = self.top = body.y
 
     def move(self, body: Body, t: float) -> None:
         """Bring `body` to where this motion is at time `t`."""
@@ -59,10 +80,22 @@ class Motion:
         body.wx = self.wx + self.bx * s
         body.wy = self.wy + self.by * s
         body.wz = toward_zero(self.wz, self.bz * s)
+        body.t = t
+
+    def stays(self) -> bool:
+        """Whether the ball stays where it is, at rest or spinning on the spot."""
+        return self.vx == 0.0 == self.vy and self.hx == 0.0 == self.hy
+
+    def bound(self, s: float) -> None:
+        """Work out the box that holds the first `s` seconds: about the control points of the path, a Bezier curve."""
+        x1, x2 = self.x + 0.5 * self.vx * s, self.x + (self.vx + self.hx * s) * s
+        y1, y2 = self.y + 0.5 * self.vy * s, self.y + (self.vy + self.hy * s) * s
+        self.left, self.right = min(min(self.x, x1), x2), max(max(self.x, x1), x2)
+        self.bottom, self.top = min(min(self.y, y1), y2), max(max(self.y, y1), y2)
 
     def coasts(self) -> bool:
         """Whether the ball moves without friction, which it has had in advance: only then `wz` lasts."""
-        return self.bz == 0.0 and self.t1 < math.inf
+        return self.bz == 0.0 and self.t1 < INF
 
     def place(self, t: float) -> tuple[float, float]:
         """Where the ball is at time `t`, m: what `at` says of it."""
@@ -92,7 +125,7 @@ def toward_zero(value: float, by: float) -> float:
     return value + by if value < -by else 0.0
 
 
-def start(body: Body, t: float, cloth: Cloth, gravity: float) -> Motion:
+def start(body: Body, t: float, cloth: ClothNumbers) -> Motion:
     """The motion of `body` from time `t` on, in the phase its velocity and spin put it."""
     radius = body.radius
     ux = body.vx - radius * body.wy
@@ -100,36 +133,36 @@ def start(body: Body, t: float, cloth: Cloth, gravity: float) -> Motion:
     slip = math.hypot(ux, uy)
     if t < body.paid and (slip > STILL or math.hypot(body.vx, body.vy) > STILL):
         return Motion(body, SLIDING if slip > STILL else ROLLING, t, body.paid)
-    fall = 2.5 * cloth.mu_spin * gravity / radius
+    fall = 2.5 * cloth.mu_spin * cloth.gravity / radius
     if slip > STILL:
-        grip = cloth.mu_slide * gravity / slip
+        grip = cloth.mu_slide * cloth.gravity / slip
         ax, ay = -grip * ux, -grip * uy
         turn = 2.5 / radius
         return Motion(
-            body, SLIDING, t, t + 2.0 * slip / (7.0 * cloth.mu_slide * gravity),
+            body, SLIDING, t, t + 2.0 * slip / (7.0 * cloth.mu_slide * cloth.gravity),
             0.5 * ax, 0.5 * ay, turn * ay, -turn * ax, fall,
         )  # fmt: skip
     roll(body, ux, uy)
     speed = math.hypot(body.vx, body.vy)
     if speed > STILL:
-        drag = cloth.mu_roll * gravity / speed
+        drag = cloth.mu_roll * cloth.gravity / speed
         ax, ay = -drag * body.vx, -drag * body.vy
         return Motion(
-            body, ROLLING, t, t + speed / (cloth.mu_roll * gravity),
+            body, ROLLING, t, t + speed / (cloth.mu_roll * cloth.gravity),
             0.5 * ax, 0.5 * ay, -ay / radius, ax / radius, fall,
         )  # fmt: skip
     body.vx = body.vy = body.wx = body.wy = 0.0
     if radius * abs(body.wz) > STILL:
         return Motion(body, SPINNING, t, t + abs(body.wz) / fall, bz=fall)
     body.wz = 0.0
-    return Motion(body, RESTING, t, math.inf)
+    return Motion(body, RESTING, t, INF)
 
 
-def finish(motion: Motion, body: Body, cloth: Cloth, gravity: float) -> Motion:
+def finish(motion: Motion, body: Body, cloth: ClothNumbers) -> Motion:
     """What follows `motion` when its phase has run out; `body` is brought to that moment."""
     motion.move(body, motion.t1)
     if motion.coasts():
-        return start(body, motion.t1, cloth, gravity)
+        return start(body, motion.t1, cloth)
     if motion.phase == SLIDING:
         # Exactly at natural roll: the slip that rounding leaves must not start another slide.
         roll(body, body.vx - body.radius * body.wy, body.vy + body.radius * body.wx)
@@ -137,13 +170,13 @@ def finish(motion: Motion, body: Body, cloth: Cloth, gravity: float) -> Motion:
         body.vx = body.vy = body.wx = body.wy = 0.0
         if motion.phase == SPINNING:
             body.wz = 0.0
-    return start(body, motion.t1, cloth, gravity)
+    return start(body, motion.t1, cloth)
 
 
 def pocketed(body: Body, t: float) -> Motion:
     """A ball that has left the table, from time `t` on."""
     body.vx = body.vy = body.wx = body.wy = body.wz = 0.0
-    return Motion(body, POCKETED, t, math.inf)
+    return Motion(body, POCKETED, t, INF)
 
 
 def roll(body: Body, ux: float, uy: float) -> None:

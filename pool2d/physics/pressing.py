@@ -13,27 +13,30 @@ driven by spin goes a way that is 4 to 6 % too long, see the tests.)
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Final, final
 
 from .body import Body, Velocity
-from .motion import Motion, start
-from .params import Cloth
+from .motion import ClothNumbers, Motion, start
 
 # How far a moment's friction moves a ball that lies still at the least, m.
-HOP = 4e-6
+HOP: Final = 4e-6
 # A moment is at least this part of the time for which the ball would still slide.
-SHARE = 1.0 / 64.0
+SHARE: Final = 1.0 / 64.0
 
 
-class Side(NamedTuple):
+@final
+class Side:
     """A ball in a contact, and the unit vector from it to what it touches."""
 
-    ball: Body
-    nx: float
-    ny: float
+    __slots__ = ("ball", "nx", "ny")
+
+    def __init__(self, ball: Body, nx: float, ny: float) -> None:
+        self.ball = ball
+        self.nx = nx
+        self.ny = ny
 
 
-def press(sides: list[Side], approach: float, now: float, cloth: Cloth, gravity: float) -> list[Motion]:
+def press(sides: list[Side], approach: float, now: float, cloth: ClothNumbers) -> list[Motion]:
     """Give the balls of a contact a moment's friction if that adds more than `approach` to how fast they meet, m/s.
 
     Returns the motions, each without friction, of the balls that have been given it: none where the contact
@@ -41,10 +44,11 @@ def press(sides: list[Side], approach: float, now: float, cloth: Cloth, gravity:
     """
     gain = 0.0
     found = []
-    for ball, nx, ny in sides:
+    for side in sides:
+        ball = side.ball
         if now >= ball.paid:
-            velocity, until = _portion(ball, now, cloth, gravity)
-            more = (velocity[0] - ball.vx) * nx + (velocity[1] - ball.vy) * ny
+            velocity, until = _portion(ball, now, cloth)
+            more = (velocity[0] - ball.vx) * side.nx + (velocity[1] - ball.vy) * side.ny
             if more > 0.0:
                 gain += more
                 found.append((ball, velocity, until))
@@ -53,16 +57,16 @@ def press(sides: list[Side], approach: float, now: float, cloth: Cloth, gravity:
     for ball, velocity, until in found:
         ball.set_velocity(velocity)
         ball.paid = until
-    return [start(ball, now, cloth, gravity) for ball, _, _ in found]
+    return [start(ball, now, cloth) for ball, _, _ in found]
 
 
-def _portion(ball: Body, now: float, cloth: Cloth, gravity: float) -> tuple[Velocity, float]:
+def _portion(ball: Body, now: float, cloth: ClothNumbers) -> tuple[Velocity, float]:
     """A ball's velocity and spin after a moment's friction, and when that is over; the ball stays as it is."""
-    x, y, velocity = ball.x, ball.y, ball.velocity()
-    motion = start(ball, now, cloth, gravity)
-    until = now + max(math.sqrt(2.0 * HOP / (cloth.mu_slide * gravity)), SHARE * (motion.t1 - now))
+    x, y, t, velocity = ball.x, ball.y, ball.t, ball.velocity()
+    motion = start(ball, now, cloth)
+    until = now + max(math.sqrt(2.0 * HOP / (cloth.mu_slide * cloth.gravity)), SHARE * (motion.t1 - now))
     motion.move(ball, min(until, motion.t1))
     after = ball.velocity()
-    ball.x, ball.y = x, y
+    ball.x, ball.y, ball.t = x, y, t
     ball.set_velocity(velocity)
     return after, until

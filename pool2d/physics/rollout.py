@@ -6,69 +6,10 @@ import hashlib
 import struct
 from bisect import bisect_right
 from functools import cached_property
-from typing import Any
 
+from .event import Event
 from .motion import Motion
-from .values import MOTION_FIELDS, Ball, EventKind, Layout
-
-
-class Event:
-    """Something that happened: a contact, or a change of phase.
-
-    Attributes:
-        t: When, s after the shot.
-        kind: What, as in `simulate --json`.
-        balls: The ids of the balls that it concerns.
-        where: The cushion, jaw or pocket, or all of them for a cluster; "miscue" for a tip that slipped.
-        pairs: The balls that touched each other, the pair that set it off first.
-        rails: Pairs of a ball and the cushion that it touched.
-    """
-
-    __slots__ = ("t", "kind", "balls", "where", "pairs", "rails", "_old", "_new")
-
-    def __init__(
-        self,
-        t: float,
-        kind: EventKind,
-        where: str | None,
-        old: list[Motion],
-        new: list[Motion],
-        pairs: tuple[tuple[str, str], ...] = (),
-        rails: tuple[tuple[str, str], ...] = (),
-    ) -> None:
-        self.t = t
-        self.kind = kind
-        self.balls = tuple(motion.id for motion in new)
-        self.where = where
-        self.pairs = pairs
-        self.rails = rails
-        self._old = old
-        self._new = new
-
-    @property
-    def before(self) -> dict[str, Ball]:
-        """The balls' states just before it, by id."""
-        return {motion.id: motion.at(self.t) for motion in self._old}
-
-    @property
-    def after(self) -> dict[str, Ball]:
-        """The balls' states just after it, by id."""
-        return {motion.id: motion.at(self.t) for motion in self._new}
-
-    def __repr__(self) -> str:
-        where = f" {self.where}" if self.where else ""
-        return f"<{self.t:.6f} {self.kind} {' '.join(self.balls)}{where}>"
-
-    def as_dict(self) -> dict[str, Any]:
-        """What `simulate --json` prints of an event."""
-        return {
-            "t": self.t,
-            "kind": self.kind,
-            "balls": list(self.balls),
-            "where": self.where,
-            "before": {ball_id: ball.state() for ball_id, ball in self.before.items()},
-            "after": {ball_id: ball.state() for ball_id, ball in self.after.items()},
-        }
+from .values import MOTION_FIELDS, Ball, Layout
 
 
 class Rollout:
@@ -94,7 +35,6 @@ class Rollout:
         self.events = events
         self.truncated = truncated
         self.duration = events[-1].t if events else 0.0
-        self._times = {ball_id: [motion.t0 for motion in track] for ball_id, track in tracks.items()}
 
     def at(self, t: float) -> Layout:
         """The layout `t` seconds into the shot, clamped to its beginning and end."""
@@ -111,6 +51,11 @@ class Rollout:
         if given.radius is None and given.mass is None:
             return ball
         return ball._replace(radius=given.radius, mass=given.mass)
+
+    @cached_property
+    def _times(self) -> dict[str, list[float]]:
+        """When each ball's motions begin: worked out for who asks for a moment."""
+        return {ball_id: [motion.t0 for motion in track] for ball_id, track in self.tracks.items()}
 
     def layout(self) -> Layout:
         """The layout when the shot is over."""

@@ -10,21 +10,26 @@ quadratic.
 from __future__ import annotations
 
 import math
+from typing import Final
+
+INF: Final = math.inf
 
 
 def first_root(c0: float, c1: float, c2: float, c3: float, c4: float, end: float) -> float:
     """The first t in [0, end] where c0 + c1 t + ... + c4 t^4 falls from positive to negative.
 
-    `math.inf` where there is none. A polynomial that starts at zero or below must first rise above
+    Infinite where there is none. A polynomial that starts at zero or below must first rise above
     zero to fall again.
     """
     left, value = 0.0, c0
-    for right in (*_turns(c1, 2.0 * c2, 3.0 * c3, 4.0 * c4, end), end):
+    ends = _turns(c1, 2.0 * c2, 3.0 * c3, 4.0 * c4, end)
+    ends.append(end)
+    for right in ends:
         value_right = (((c4 * right + c3) * right + c2) * right + c1) * right + c0
         if value > 0.0 >= value_right:
             return _bracketed(c0, c1, c2, c3, c4, left, right)
         left, value = right, value_right
-    return math.inf
+    return INF
 
 
 def falling_root(c0: float, c1: float, c2: float) -> float:
@@ -33,10 +38,10 @@ def falling_root(c0: float, c1: float, c2: float) -> float:
     A quadratic falls through zero once at the most: its slope there is -sqrt(c1^2 - 4 c0 c2).
     """
     if c2 == 0.0:
-        return -c0 / c1 if c1 < 0.0 else math.inf
+        return -c0 / c1 if c1 < 0.0 else INF
     square = c1 * c1 - 4.0 * c0 * c2
     if square <= 0.0:
-        return math.inf
+        return INF
     root = math.sqrt(square)
     # Two forms of one number; each is free of cancellation on its side.
     return 2.0 * c0 / (root - c1) if c1 < 0.0 else -(c1 + root) / (2.0 * c2)
@@ -46,7 +51,9 @@ def _turns(c0: float, c1: float, c2: float, c3: float, end: float) -> list[float
     """All roots in (0, end) of the cubic c0 + c1 t + c2 t^2 + c3 t^3, in order."""
     found: list[float] = []
     left, value = 0.0, c0
-    for right in (*_quadratic(c1, 2.0 * c2, 3.0 * c3, end), end):
+    ends = _quadratic(c1, 2.0 * c2, 3.0 * c3, end)
+    ends.append(end)
+    for right in ends:
         value_right = ((c3 * right + c2) * right + c1) * right + c0
         if (value > 0.0) != (value_right > 0.0):
             found.append(_bracketed(c0, c1, c2, c3, 0.0, left, right))

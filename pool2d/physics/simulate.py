@@ -3,26 +3,38 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from heapq import heappop, heappush
-from typing import Any, Protocol
+from typing import Any, Final, Protocol, final
 
 from ..errors import BudgetError, InputError
 from .body import Body
-from .contact import Contacts, Met, Surroundings
-from .detect import time_ball_ball
+from .contact import Contacts, Met
+from .crowd import Crowd
+from .detect import Element, time_ball_ball
+from .event import Event
+from .materials import materials
 from .motion import Motion, finish, pocketed, start
-from .rollout import Event, Rollout
+from .params import Physics
+from .rollout import Rollout
+from .roots import INF
 from .strike import strike
 from .values import MISCUE, POCKETED, ROLLING, SLIDING, SPINNING, Ball, EventKind, Layout, Phase, Shot
 
 # Far above what any shot takes (a break takes some hundreds).
-BUDGET = 50_000
+BUDGET: Final = 50_000
 # The event with which a phase ends by itself.
-_ENDS: dict[Phase, EventKind] = {SLIDING: "sliding_rolling", ROLLING: "rolling_resting", SPINNING: "spin_end"}
+_ENDS: Final[dict[Phase, EventKind]] = {SLIDING: "sliding_rolling", ROLLING: "rolling_resting", SPINNING: "spin_end"}
 
 
-class Field(Surroundings, Protocol):
+class Field(Protocol):
     """What the loop needs of a table."""
+
+    @property
+    def physics(self) -> Physics: ...
+
+    @property
+    def elements(self) -> Sequence[Element]: ...
 
     def body_of(self, ball: Ball) -> tuple[float, float]:
         """Radius and mass of a ball, its own or the table's."""
@@ -67,6 +79,7 @@ def simulate(
     return Rollout(layout, {track[0].id: track for track in world.tracks}, world.events, truncated)
 
 
+@final
 class _World:
     """The balls in motion and the queue of what may happen to them.
 
@@ -75,31 +88,30 @@ class _World:
     not the present ones is stale: the ball has moved otherwise since.
     """
 
+    __slots__ = ("physics", "elements", "cloth", "now", "events", "queue", "crowd", "contacts", "version", "tracks")
+
     def __init__(self, table: Field, layout: Layout) -> None:
-        self.table = table
         self.physics = table.physics
-        self.elements = table.elements
+        self.elements: list[Element] = list(table.elements)
+        made = materials(self.physics)
+        self.cloth = made.cloth
         self.now = 0.0
         self.events: list[Event] = []
         self.queue: list[tuple[float, int, int, int, int]] = []
-        # Sorted, so that the order in which balls are given is of no consequence.
-        balls = sorted(layout.on_table())
-        self.bodies = [Body(ball, index, *table.body_of(ball)) for index, ball in enumerate(balls)]
-        self.index = {body.id: body.index for body in self.bodies}
-        self.reach = [_reach(body.radius, table.physics.cushion.nose_height) for body in self.bodies]
-        self.contacts = Contacts(table, self.reach)
-        self.touch = [[2.0 * math.sqrt(a.radius * b.radius) for b in self.bodies] for a in self.bodies]
-        self.version = [0] * len(balls)
-        self.motion = [start(body, 0.0, self.physics.cloth, self.physics.gravity) for body in self.bodies]
-        self.tracks = [[motion] for motion in self.motion]
-        for body in self.bodies:
+        bodies = _bodies(table, layout)
+        motions = [start(body, 0.0, self.cloth) for body in bodies]
+        self.crowd = Crowd(bodies, motions)
+        self.contacts = Contacts(self.crowd, self.elements, made)
+        self.version = [0] * len(bodies)
+        self.tracks = [[motion] for motion in motions]
+        for body in bodies:
             self.predict(body.index)
 
     def strike(self, shot: Shot) -> None:
         shot.check()
-        if shot.ball not in self.index:
+        body = next((body for body in self.crowd.bodies if body.id == shot.ball), None)
+        if body is None:
             raise InputError("shot", "shot.ball", shot.ball, "not a ball on the table")
-        body = self.bodies[self.index[shot.ball]]
         if shot.speed > 0.0:
             clean = strike(body, shot, self.physics.cue)
             self.record("cue_ball", None if clean else MISCUE, [body])
@@ -119,41 +131,44 @@ class _World:
 
     def happen(self, i: int, other: int) -> None:
         """Solve the event that has come: a change of phase, a contact of two balls, or with the table."""
-        body = self.bodies[i]
         if other == -1:
-            phase = self.motion[i].phase
-            coasted = self.motion[i].coasts()
-            motion = finish(self.motion[i], body, self.physics.cloth, self.physics.gravity)
-            if coasted:
-                self.follow(i, motion)
-                self.predict(i)
-                return
-            self.record(_ENDS[phase], None, [body], [motion])
+            self.change_phase(i)
             return
-        self.motion[i].move(body, self.now)
-        element = self.elements[-2 - other] if other < 0 else None
-        if element is not None and element.kind == "ball_pocket":
+        body = self.crowd.bring(i, self.now)
+        if other >= 0:
+            self.touched(self.contacts.balls(body, self.crowd.bring(other, self.now), self.now))
+            return
+        element = self.elements[-2 - other]
+        if element.kind == "ball_pocket":
             self.record(element.kind, element.name, [body], [pocketed(body, self.now)])
-            return
-        present = [body for body in self.bodies if self.motion[body.index].phase != POCKETED]
-        for one in present:
-            if self.motion[one.index].t1 < math.inf:
-                self.motion[one.index].move(one, self.now)
-        if element is None:
-            self.touched(self.contacts.balls(body, self.bodies[other], present, self.now))
         else:
-            self.touched(self.contacts.cushion(body, element, present, self.now))
+            self.touched(self.contacts.cushion(body, element, self.now))
+
+    def change_phase(self, i: int) -> None:
+        """Let ball i go on where its motion has run out."""
+        body, old = self.crowd.bodies[i], self.crowd.motion[i]
+        motion = finish(old, body, self.cloth)
+        if old.coasts():
+            self.follow(motion)
+            self.predict(i)
+        else:
+            self.record(_ENDS[old.phase], None, [body], [motion])
 
     def touched(self, met: Met) -> None:
         """Note a contact, or several that were one."""
         for motion in met.pressed:
-            self.follow(self.index[motion.id], motion)
-        bodies = {body.index: body for pair in met.pairs for body in pair} | {body.index: body for body, _ in met.rails}
+            self.follow(motion)
+        bodies: dict[int, Body] = {}
+        for a, b in met.pairs:
+            bodies[a.index] = a
+            bodies[b.index] = b
+        for body, _ in met.rails:
+            bodies[body.index] = body
         one: EventKind = "ball_ball" if met.pairs else "ball_cushion"
         kind = "cluster" if len(met.pairs) + len(met.rails) > 1 else one
-        where = ", ".join(dict.fromkeys(name for _, name in met.rails)) or None
-        pairs = tuple((a.id, b.id) for a, b in met.pairs)
-        rails = tuple((body.id, name) for body, name in met.rails)
+        where = ", ".join(dict.fromkeys([name for _, name in met.rails])) or None
+        pairs = tuple([(a.id, b.id) for a, b in met.pairs])
+        rails = tuple([(body.id, name) for body, name in met.rails])
         self.record(kind, where, [bodies[index] for index in sorted(bodies)], None, pairs, rails)
 
     def record(
@@ -167,20 +182,19 @@ class _World:
     ) -> None:
         """Note an event, and let its bodies go on from their present state."""
         if new is None:
-            new = [start(body, self.now, self.physics.cloth, self.physics.gravity) for body in bodies]
-        self.events.append(
-            Event(self.now, kind, where, [self.motion[body.index] for body in bodies], new, pairs, rails)
-        )
-        for body, motion in zip(bodies, new, strict=True):
-            self.follow(body.index, motion)
-        for body in bodies:
-            self.predict(body.index)
+            new = [start(body, self.now, self.cloth) for body in bodies]
+        old = [self.crowd.motion[body.index] for body in bodies]
+        self.events.append(Event(self.now, kind, where, old, new, pairs, rails))
+        for motion in new:
+            self.follow(motion)
+        for motion in new:
+            self.predict(motion.index)
 
-    def follow(self, i: int, motion: Motion) -> None:
-        """Let ball i go on as `motion` has it; what was predicted for it is void."""
-        self.motion[i] = motion
-        self.tracks[i].append(motion)
-        self.version[i] += 1
+    def follow(self, motion: Motion) -> None:
+        """Let a ball go on as `motion` has it; what was predicted for it is void."""
+        self.crowd.lift(motion)
+        self.tracks[motion.index].append(motion)
+        self.version[motion.index] += 1
 
     def predict(self, i: int) -> None:
         """Queue what may come of ball i's new motion: its own next event, and each ball that it may meet.
@@ -188,48 +202,51 @@ class _World:
         A motion holds until it ends or its ball meets the table, so nothing later is looked for. That
         also bounds what is found for a pair: where the other ball's motion ends, it is asked again.
         """
-        motion, now = self.motion[i], self.now
+        motion, body = self.crowd.motion[i], self.crowd.bodies[i]
         if motion.phase == POCKETED:
             return
-        end, own = motion.t1, -1
-        moves = motion.phase == SLIDING or motion.phase == ROLLING
-        if moves:
-            reach, s = self.reach[i], end - now
-            (left, right), (bottom, top) = _span(motion, s)
-            for index in self.table.near(left - reach, bottom - reach, right + reach, top + reach):
-                t = now + self.elements[index].time(motion, reach, s)
+        stays = motion.stays()
+        end = motion.t1 if stays else self.meet_table(motion, body.reach)
+        if stays and end < INF:
+            heappush(self.queue, (end, i, -1, self.version[i], 0))
+        far = body.radius + self.crowd.largest
+        for other in self.crowd.near(motion.left - far, motion.bottom - far, motion.right + far, motion.top + far):
+            if stays and other.stays():
+                continue
+            touch = 2.0 * math.sqrt(body.radius * self.crowd.bodies[other.index].radius)
+            t = time_ball_ball(motion, other, self.now, min(end, other.t1), touch)
+            if t < INF:
+                a, b = min(i, other.index), max(i, other.index)
+                heappush(self.queue, (t, a, b, self.version[a], self.version[b]))
+        self.crowd.put(motion)
+
+    def meet_table(self, motion: Motion, reach: float) -> float:
+        """When a motion ends, by itself or at the table: queue that, and bound the motion by it."""
+        now, end, own = self.now, motion.t1, -1
+        s = end - now
+        motion.bound(s)
+        left, bottom = motion.left - reach, motion.bottom - reach
+        right, top = motion.right + reach, motion.top + reach
+        for index, element in enumerate(self.elements):
+            if element.left <= right and left <= element.right and element.bottom <= top and bottom <= element.top:
+                t = now + element.time(motion, reach, s)
                 if t < end:
                     end, own = t, -2 - index
-        if end < math.inf:
-            heappush(self.queue, (end, i, own, self.version[i], 0))
-        (left, right), (bottom, top) = _span(motion, end - now)
-        touch = self.touch[i]
-        for j, other in enumerate(self.motion):
-            if j == i or other.phase == POCKETED:
-                continue
-            if other.vx == 0.0 == other.vy and other.hx == 0.0 == other.hy:
-                # At rest. A look at the box that the motion stays in spares most of the work.
-                room = touch[j]
-                if not (moves and left - room < other.x < right + room and bottom - room < other.y < top + room):
-                    continue
-            t = time_ball_ball(motion, other, now, min(end, other.t1), touch[j])
-            if t < math.inf:
-                a, b = (i, j) if i < j else (j, i)
-                heappush(self.queue, (t, a, b, self.version[a], self.version[b]))
+        heappush(self.queue, (end, motion.index, own, self.version[motion.index], 0))
+        motion.bound(end - now)
+        return end
+
+
+def _bodies(table: Field, layout: Layout) -> list[Body]:
+    """The balls on the table, sorted, so that the order in which they are given is of no consequence."""
+    nose = table.physics.cushion.nose_height
+    bodies: list[Body] = []
+    for index, ball in enumerate(sorted(layout.on_table())):
+        radius, mass = table.body_of(ball)
+        bodies.append(Body(ball, index, radius, mass, _reach(radius, nose)))
+    return bodies
 
 
 def _reach(radius: float, nose: float) -> float:
     """How far from a nose line, in plan, a ball's centre is when it touches: R cos th, sin th = h/R - 1."""
     return math.sqrt(nose * (2.0 * radius - nose))
-
-
-def _span(motion: Motion, s: float) -> tuple[tuple[float, float], tuple[float, float]]:
-    """A box that holds the first s seconds of a motion, as (left, right), (bottom, top).
-
-    It goes round the three control points of the path, which is a Bezier curve. A ball at rest has no end.
-    """
-    if s == math.inf:
-        return (motion.x, motion.x), (motion.y, motion.y)
-    x1, x2 = motion.x + 0.5 * motion.vx * s, motion.x + (motion.vx + motion.hx * s) * s
-    y1, y2 = motion.y + 0.5 * motion.vy * s, motion.y + (motion.vy + motion.hy * s) * s
-    return (min(motion.x, x1, x2), max(motion.x, x1, x2)), (min(motion.y, y1, y2), max(motion.y, y1, y2))

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Container
 from functools import cache
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Final, final
 
 from .detect import TOUCH
 from .laws.nose import along_nose, rate
@@ -20,88 +20,87 @@ from .laws.rebound import rebound
 if TYPE_CHECKING:
     from .body import Body
     from .detect import Element
+    from .laws.law import Nose
     from .materials import Materials
 
 # Stiffness of two pool balls, N/m^1.5, and the radius it was worked out for (Marlow; Alciatore TP B.29).
-STIFFNESS, RADIUS = 8.06e8, 0.028575
+STIFFNESS: Final = 8.06e8
+RADIUS: Final = 0.028575
 # Stiffness of a cushion, N/m: a pool ball stays in it for 4 ms, twenty times as long as on another ball.
 # What comes out depends on it only in that it is much softer than a ball.
-RUBBER = 1.05e5
+RUBBER: Final = 1.05e5
 # Steps in the duration of one impact at the speed of approach.
-STEPS = 60
+STEPS: Final = 60
 # A cushion that has relaxed to this part of its greatest force, and is being left, lets go.
-_SPENT = 1e-9
+_SPENT: Final = 1e-9
 
 
-class Spring(Protocol):
+class Spring:
     """One contact of a cluster. `step` is how long a step may be while it is closed, s."""
 
-    depth: float
-    step: float
-    met: bool
+    __slots__ = ("balls", "depth", "step", "met")
 
-    @property
-    def balls(self) -> tuple[Body, ...]: ...
+    def __init__(self, balls: tuple[Body, ...], gap: float, step: float) -> None:
+        self.balls = balls
+        self.depth = -gap
+        self.step = step
+        self.met = False
 
     def closing(self) -> float:
         """How fast the two near each other, in plan, m/s."""
-        ...
+        raise NotImplementedError
 
     def part(self, speed: float) -> None:
         """Take `speed` off that, without friction, m/s."""
-        ...
+        raise NotImplementedError
 
     def press(self, dt: float) -> None:
         """Let the depth run for a step and work out the impulse that it brings."""
-        ...
+        raise NotImplementedError
 
     def act(self) -> None:
         """Give the balls that impulse."""
-        ...
+        raise NotImplementedError
 
 
-class BallSpring:
+@final
+class BallSpring(Spring):
     """Two balls: F = K d^1.5 with a loss, and friction.
 
-    `slip` is the fastest so far: it sets the friction of the whole impact, as it does for two balls alone.
+    `slip` is the fastest so far: it sets the friction of the whole impact, as it does for two balls alone. A step's
+    impulse is `along` the normal and (fx, fy, fz) across it.
     """
 
-    __slots__ = ("a", "b", "n", "depth", "step", "met", "slip", "stiffness", "loss", "friction", "numbers", "impulse")
+    __slots__ = ("a", "b", "n", "slip", "stiffness", "loss", "friction", "along", "fx", "fy", "fz")
 
     def __init__(self, a: Body, b: Body, gap: float, speed: float, loss: float, materials: Materials) -> None:
+        super().__init__((a, b), gap, duration(a, b, speed) / STEPS)
         self.a = a
         self.b = b
         self.n = normal(a, b)
-        self.depth = -gap
-        self.step = duration(a, b, speed) / STEPS
-        self.met = False
         self.slip = 0.0
         # Springs of Hertz: K goes with the root of the effective radius.
         self.stiffness = stiffness(a, b)
         self.loss = loss * math.sqrt(self.stiffness * a.mass * b.mass / (a.mass + b.mass))
-        self.friction = materials.ball_law.friction
-        self.numbers = materials.ball
-        self.impulse: tuple[float, float, float, float] | None = None
-
-    @property
-    def balls(self) -> tuple[Body, ...]:
-        return self.a, self.b
+        self.friction = materials.ball.friction
+        self.along = self.fx = self.fy = self.fz = 0.0
 
     def press(self, dt: float) -> None:
         closing = self.closing()
         self.depth = d = self.depth + closing * dt
-        self.impulse = None
+        self.along = 0.0
         if d <= 0.0:
             return
         self.met = self.met or d > TOUCH
         root = math.sqrt(d)
         along = dt * (self.stiffness * d * root + self.loss * math.sqrt(root) * closing)
         if along > 0.0:
-            self.impulse = (along, *self._rub(closing, along))
+            self.along = along
+            self._rub(closing)
 
     def act(self) -> None:
-        if self.impulse is not None:
-            push(self.a, self.b, self.n, *self.impulse)
+        if self.along > 0.0:
+            push(self.a, self.b, self.n, self.along, self.fx, self.fy, self.fz)
 
     def closing(self) -> float:
         a, b, n = self.a, self.b, self.n
@@ -121,20 +120,22 @@ class BallSpring:
                 ball.vx -= sign * speed * self.n[0] / (size * size)
                 ball.vy -= sign * speed * self.n[1] / (size * size)
 
-    def _rub(self, closing: float, along: float) -> tuple[float, float, float]:
+    def _rub(self, closing: float) -> None:
         """The friction of a step: Coulomb's, or what ends the slip."""
         a, b = self.a, self.b
         sx, sy, sz = slip(a, b, self.n, closing)
         size = math.sqrt(sx * sx + sy * sy + sz * sz)
         if size == 0.0:
-            return 0.0, 0.0, 0.0
+            self.fx = self.fy = self.fz = 0.0
+            return
         self.slip = max(self.slip, size)
-        limit = self.friction(self.slip, self.numbers) * along
+        limit = self.friction.at(self.slip) * self.along
         rub = -min(limit / size, 1.0 / (3.5 * (1.0 / a.mass + 1.0 / b.mass)))
-        return rub * sx, rub * sy, rub * sz
+        self.fx, self.fy, self.fz = rub * sx, rub * sy, rub * sz
 
 
-class NoseSpring:
+@final
+class NoseSpring(Spring):
     """A ball in a cushion: a linear spring in plan that gives back e^2 of the work it took, with friction.
 
     On the way out it follows k D (d/D)^q from its greatest depth D, with q = 2/e^2 - 1 for that part of
@@ -142,26 +143,20 @@ class NoseSpring:
     many cushions the ball is in, which together must not hold it by more than one would.
     """
 
-    __slots__ = ("ball", "nx", "ny", "name", "depth", "step", "met", "share", "nose",
-                 "stiffness", "deepest", "power", "change")  # fmt: skip
+    __slots__ = ("ball", "nx", "ny", "name", "share", "nose", "stiffness", "deepest", "power", "pushes", "change")
 
     def __init__(self, ball: Body, element: Element, gap: float, share: int, materials: Materials) -> None:
+        super().__init__((ball,), gap, stay(ball) / STEPS)
         self.ball = ball
         self.nx, self.ny = element.normal(ball.x, ball.y)
         self.name = element.name
-        self.depth = -gap
-        self.step = stay(ball) / STEPS
-        self.met = False
         self.share = share
-        self.nose = materials.cushion_law.nose(ball.radius, materials.cushion)
+        self.nose: Nose = materials.cushion_law.nose(ball.radius, materials.cushion)
         self.stiffness = RUBBER / ball.mass
         self.deepest = 0.0
         self.power = 0.0
-        self.change: tuple[float, float, float, float, float] | None = None
-
-    @property
-    def balls(self) -> tuple[Body, ...]:
-        return (self.ball,)
+        self.pushes = False
+        self.change = (0.0, 0.0, 0.0, 0.0, 0.0)
 
     def closing(self) -> float:
         return self.ball.vx * self.nx + self.ball.vy * self.ny
@@ -174,7 +169,7 @@ class NoseSpring:
         ball = self.ball
         state = along_nose(ball, self.nx, self.ny)
         self.depth = d = self.depth + state[1] * dt
-        self.change = None
+        self.pushes = False
         if d <= 0.0:
             self.deepest = 0.0
             return
@@ -186,6 +181,7 @@ class NoseSpring:
         # The nose stands above the centre: what it gives in plan is less than what it presses with.
         step = force * dt / self.nose.cos
         dvx, dvy, dqx, dqy, dqz = rate(state, self.nose, self.share * step)
+        self.pushes = True
         self.change = step * dvx, step * dvy, step * dqx, step * dqy, step * dqz
 
     def _force(self, depth: float) -> float:
@@ -196,11 +192,12 @@ class NoseSpring:
             return self.stiffness * depth
         if self.power == 0.0:
             speed = self.deepest * math.sqrt(self.stiffness)
-            self.power = 2.0 * (speed / rebound(speed, self.nose.restitution)) ** 2 - 1.0
+            part = speed / rebound(speed, self.nose.restitution)
+            self.power = 2.0 * (part * part) - 1.0
         return self.stiffness * self.deepest * math.pow(depth / self.deepest, self.power)
 
     def act(self) -> None:
-        if self.change is None:
+        if not self.pushes:
             return
         ball, nx, ny = self.ball, self.nx, self.ny
         vx, vy, qx, qy, qz = self.change
@@ -234,7 +231,8 @@ def depth(a: Body, b: Body, speed: float) -> float:
 def duration(a: Body, b: Body, speed: float) -> float:
     """How long an impact of two balls at `speed` lasts, s: 3.218 (m^2 / (K^2 v))^0.2."""
     mass = a.mass * b.mass / (a.mass + b.mass)
-    return 3.218 * math.pow(mass * mass / (stiffness(a, b) ** 2 * speed), 0.2)
+    k = stiffness(a, b)
+    return 3.218 * math.pow(mass * mass / (k * k * speed), 0.2)
 
 
 def yielding(ball: Body, speed: float) -> float:

@@ -6,7 +6,8 @@ import math
 from bisect import bisect_right
 from typing import Literal, NamedTuple, TypeAlias
 
-from ..physics.rollout import Event, Rollout
+from ..physics.event import Event
+from ..physics.rollout import Rollout
 from ..physics.values import MISCUE, Ball
 
 SoundKind: TypeAlias = Literal["ball", "cue", "cushion", "drop", "back", "miscue", "chalk", "click"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Protocol
 
 from ..config.knobs import Knob
@@ -38,6 +38,7 @@ RANGES: dict[str, Knob] = {
     "radius": Knob(0.028575, 0.01, 0.06, "m", "radius, the table's own where not given"),
     "mass": Knob(0.17, 0.01, 2.0, "kg", "mass, the table's own where not given"),
 }
+_MOTION_RANGES = [RANGES[name] for name in MOTION_FIELDS]
 
 
 class Bed(Protocol):
@@ -77,10 +78,9 @@ def settle(table: Bed, layout: Layout) -> Layout:
     if len(given) > MOST_BALLS:
         raise InputError(table.source, "balls", len(given), f"allowed are up to {MOST_BALLS} balls")
     gaps = [_check(table, ball) for ball in given]
-    close: list[list[int]] = []
     apart = all(gap >= -CLOSE for gap in gaps)
-    for ball, near in zip(given, _neighbours(table, given), strict=True):
-        close.append(near)
+    close = _neighbours(table, given)
+    for ball, near in zip(given, close, strict=True):
         for other in near:
             apart &= _overlap(table, given[other], ball) <= CLOSE
     return layout if apart else layout.put(*_set_apart(table, given, close))
@@ -106,11 +106,12 @@ def _at_rest(ball: Ball) -> Ball:
 def _check(table: Bed, ball: Ball) -> float:
     """The room between a ball and the nearest element, m; raises InputError where the ball may not stand."""
     source = table.source
-    for name in MOTION_FIELDS:
-        RANGES[name].check(getattr(ball, name), source, f"balls.{ball.id}.{name}")
+    for name, value, knob in zip(MOTION_FIELDS, ball[1:8], _MOTION_RANGES, strict=True):
+        if type(value) is not float or not knob.lo <= value <= knob.hi:
+            knob.check(value, source, f"balls.{ball.id}.{name}")
     for name in ("radius", "mass"):
-        if (value := getattr(ball, name)) is not None:
-            RANGES[name].check(value, source, f"balls.{ball.id}.{name}")
+        if (own := getattr(ball, name)) is not None:
+            RANGES[name].check(own, source, f"balls.{ball.id}.{name}")
     radius = table.body_of(ball)[0]
     if table.knobs.cushion.nose_height >= 2.0 * radius:
         allowed = f"a ball must be higher than the cushion's nose, {table.knobs.cushion.nose_height:g} m"
@@ -140,16 +141,22 @@ def _overlap(table: Bed, a: Ball, b: Ball) -> float:
     return overlap
 
 
-def _neighbours(table: Bed, balls: Sequence[Ball]) -> Iterator[list[int]]:
+def _neighbours(table: Bed, balls: Sequence[Ball]) -> list[list[int]]:
     """For each ball the earlier ones that it may come to touch while balls are set apart, by their places."""
-    cell = _REACH + max((2.0 * table.body_of(ball)[0] for ball in balls), default=0.0)
-    cells: dict[tuple[int, int], list[int]] = {}
-    for i, ball in enumerate(balls):
-        column, row = int(ball.x // cell), int(ball.y // cell)
-        around = [(column + across, row + along) for across in (-1, 0, 1) for along in (-1, 0, 1)]
-        found = [other for place in around for other in cells.get(place, ())]
-        yield sorted(j for j in found if abs(ball.x - balls[j].x) < cell > abs(ball.y - balls[j].y))
-        cells.setdefault((column, row), []).append(i)
+    far = _REACH + max([2.0 * table.body_of(ball)[0] for ball in balls], default=0.0)
+    found: list[list[int]] = [[] for _ in balls]
+    along = sorted(range(len(balls)), key=lambda i: balls[i].x)
+    first = 0
+    for k, i in enumerate(along):
+        _, x, y, *_ = balls[i]
+        while balls[along[first]].x <= x - far:
+            first += 1
+        for j in along[first:k]:
+            if -far < balls[j].y - y < far:
+                found[max(i, j)].append(min(i, j))
+    for near in found:
+        near.sort()
+    return found
 
 
 def _set_apart(table: Bed, given: Sequence[Ball], close: Sequence[Sequence[int]]) -> list[Ball]:

@@ -17,7 +17,7 @@ import pymunk
 from ..config.knobs import apply
 from ..errors import InputError, suggest
 from ..physics.body import Body
-from ..physics.detect import Element, Jaw, Pocket, Rail, time_ball_ball
+from ..physics.detect import Element, Jaw, Pocket, Rail, nearest, time_ball_ball
 from ..physics.motion import Motion
 from ..physics.params import Physics
 from ..physics.values import MOTION_FIELDS, POCKETED, RESTING, ROLLING, Ball, Layout, Shot
@@ -61,12 +61,17 @@ class Table:
         corners = scaled(furniture.outline, size.length, size.width, source)
         self._surface = [(corner.x, corner.y) for corner in corners]
         self.geometry = build(corners, size, self.knobs.corner, self.knobs.side, source)
+        self._elements = list(self.geometry.elements)
+        # A layout that has been settled last need not be again: it is played, drawn and judged in turn.
+        self._settled: Layout | None = None
         self._space = pymunk.Space()
         self._index: dict[pymunk.Shape, int] = {}
         for index, element in enumerate(self.geometry.elements):
             shape = _shape(element, self._space.static_body)
             self._space.add(shape)
             self._index[shape] = index
+            box = shape.bb
+            element.left, element.bottom, element.right, element.top = box.left, box.bottom, box.right, box.top
 
     @property
     def physics(self) -> Physics:
@@ -93,7 +98,7 @@ class Table:
 
     def boxes(self) -> list[tuple[float, float, float, float]]:
         """The broad phase's box round each element: left, bottom, right, top, m."""
-        return [(box.left, box.bottom, box.right, box.top) for box in (shape.bb for shape in self._index)]
+        return [(element.left, element.bottom, element.right, element.top) for element in self.elements]
 
     def rack(self, name: str, seed: int = 0, other: Rack | None = None) -> Layout:
         """The balls of a rack and the cue ball; `seed` draws what the rules leave open.
@@ -125,7 +130,9 @@ class Table:
 
     def settle(self, layout: Layout) -> Layout:
         """The layout as the engine takes it; see `placing.settle`."""
-        return settle(self, layout)
+        if layout is not self._settled:
+            self._settled = settle(self, layout)
+        return self._settled
 
     def scenario(self, layout: Layout, shot: Shot | None) -> dict[str, Any]:
         """Table, balls and shot in the form of a scenario file."""
@@ -157,13 +164,7 @@ class Table:
 
     def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:
         """How far a ball here is from the nearest element, and which; infinite where none is near."""
-        reach = self.reach(radius)
-        gaps = [
-            (self.elements[index].gap(x, y, reach), index)
-            for index in self.near(x - radius, y - radius, x + radius, y + radius)
-        ]
-        gap, index = min(gaps, default=(math.inf, -1))
-        return gap, self.elements[index] if index >= 0 else None
+        return nearest(self._elements, x, y, radius, self.reach(radius))
 
     def has_room(self, x: float, y: float, radius: float, layout: Layout, ignore: str = "") -> bool:
         """Whether a ball fits here, touching nothing but by contact. `ignore` is a ball not to count."""

@@ -13,12 +13,12 @@ from pool2d import Ball, load_table
 from pool2d.physics.body import Body
 from pool2d.physics.cluster import facing
 from pool2d.physics.detect import SKIN, Jaw, Pocket, Rail, time_ball_ball
-from pool2d.physics.motion import Motion, start
-from pool2d.physics.params import Cloth
+from pool2d.physics.motion import ClothNumbers, Motion, start
 
 from ..plays import between
 
 RADIUS, STEPS = 0.028575, 300
+CLOTH = ClothNumbers(mu_slide=0.2, mu_roll=0.01, mu_spin=0.0127, gravity=9.81)
 TOUCH = 2.0 * RADIUS
 RAIL = Rail("rail", 0.2, 0.0, 0.8, 0.0)
 PLACE, SPEED, SPIN = between(0.0, 1.0), between(-3.0, 3.0), between(-100.0, 100.0)
@@ -35,7 +35,7 @@ DOWN = st.tuples(PLACE, between(RADIUS, 0.2), between(-1.0, 1.0), between(-3.0, 
 
 
 def move(x: float, y: float, vx: float = 0.0, vy: float = 0.0, wx: float = 0.0, wy: float = 0.0) -> Motion:
-    return start(Body(Ball("", x, y, vx, vy, wx, wy), 0, RADIUS, 0.17), 0.0, Cloth(), 9.81)
+    return start(Body(Ball("", x, y, vx, vy, wx, wy), 0, RADIUS, 0.17), 0.0, CLOTH)
 
 
 def places(motion: Motion, end: float) -> list[tuple[float, float, float]]:
@@ -90,7 +90,7 @@ def test_what_a_path_reaches_at_any_point_is_met() -> None:
         ball = motion.at(time)
         for kind, reach in ((Jaw, radius + RADIUS), (Pocket, radius)):
             away = reach - 1e-4
-            element = kind(kind.kind, ball.x + away * math.cos(turn), ball.y + away * math.sin(turn), radius)
+            element = kind(kind.__name__, ball.x + away * math.cos(turn), ball.y + away * math.sin(turn), radius)
             if element.gap(0.5, 0.5, RADIUS) > 0.0:
                 met += 1
                 assert element.time(motion, RADIUS, end) <= time

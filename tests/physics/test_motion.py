@@ -11,19 +11,18 @@ from hypothesis import strategies as st
 
 from pool2d import Ball
 from pool2d.physics.body import Body
-from pool2d.physics.motion import Motion, finish, pocketed, start, toward_zero
-from pool2d.physics.params import Cloth
+from pool2d.physics.motion import ClothNumbers, Motion, finish, pocketed, start, toward_zero
 from pool2d.physics.values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING
 
 RADIUS, GRAVITY = 0.028575, 9.81
-CLOTH = Cloth()
+CLOTH = ClothNumbers(mu_slide=0.2, mu_roll=0.01, mu_spin=0.0127, gravity=GRAVITY)
 SPEED = st.floats(-8.0, 8.0)
 SPIN = st.floats(-300.0, 300.0)
 
 
 def begin(vx: float = 0.0, vy: float = 0.0, wx: float = 0.0, wy: float = 0.0, wz: float = 0.0) -> tuple[Body, Motion]:
     body = Body(Ball("cue", 1.0, 0.5, vx, vy, wx, wy, wz), 0, RADIUS, 0.17)
-    return body, start(body, 0.0, CLOTH, GRAVITY)
+    return body, start(body, 0.0, CLOTH)
 
 
 def phases(body: Body, motion: Motion) -> list[Motion]:
@@ -31,7 +30,7 @@ def phases(body: Body, motion: Motion) -> list[Motion]:
     found = [motion]
     while found[-1].t1 < math.inf:
         assert len(found) < 5
-        found.append(finish(found[-1], body, CLOTH, GRAVITY))
+        found.append(finish(found[-1], body, CLOTH))
     return found
 
 
@@ -114,7 +113,7 @@ def test_slide_keeps_the_direction_of_its_slip_and_ends_in_a_roll(vx: float, vy:
     for part in (0.25, 0.5, 0.9):
         left = slip(motion.at(part * motion.t1))
         assert left == pytest.approx(((1.0 - part) * sx, (1.0 - part) * sy), abs=1e-9)
-    after = finish(motion, body, CLOTH, GRAVITY).at(motion.t1)
+    after = finish(motion, body, CLOTH).at(motion.t1)
     assert slip(after) == pytest.approx((0.0, 0.0), abs=1e-15)
     assert after.vx == pytest.approx(vx - 2.0 / 7.0 * sx, abs=1e-9)
     assert after.vy == pytest.approx(vy - 2.0 / 7.0 * sy, abs=1e-9)

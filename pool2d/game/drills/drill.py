@@ -43,10 +43,7 @@ class RestArea:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """What one stroke has to do, from a `layout` of its own or as the balls lie; `drill_file` tells each entry.
-
-    It has more attributes than most classes, as each is a key of the file.
-    """
+    """What one stroke has to do, from a `layout` of its own or as the balls lie; `drill_file` tells each entry."""
 
     layout: Layout | None = None
     pot: str = ""

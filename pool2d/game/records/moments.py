@@ -13,8 +13,9 @@ from typing import Any
 
 from ...errors import InputError
 from ...physics.body import Body
+from ...physics.event import Event
 from ...physics.motion import Motion
-from ...physics.rollout import Event, Rollout
+from ...physics.rollout import Rollout
 from ...physics.values import POCKETED, RESTING, Ball, Layout
 from ...table.position_text import read, write
 from ...table.table import Table

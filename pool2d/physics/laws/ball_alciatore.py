@@ -2,21 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
-from ..body import Body
-from . import pair
-from .law import BallLaw, BallNumbers
+from .law import BallLaw, Friction
+from .pair import collide
 
 
-def collide(a: Body, b: Body, numbers: BallNumbers) -> None:
-    """P = j (n - f v_s / |v_s|) with f falling with |v_s|."""
-    pair.collide(a, b, numbers, falling)
-
-
-def falling(slip: float, numbers: BallNumbers) -> float:
-    """mu(s) through Marlow's measurements, s in m/s. (Alciatore TP A.14, p. 4.)"""
-    return (9.951e-3 + 0.108 * math.exp(-1.088 * slip)) * numbers.cling
+def falling(coefficient: float, cling: float) -> Friction:
+    """mu(s) through Marlow's measurements, s in m/s, whatever the preset's coefficient. (Alciatore TP A.14, p. 4.)"""
+    return Friction(9.951e-3, 0.108, 1.088, cling)
 
 
 LAW = BallLaw("alciatore", collide, falling)

@@ -1,20 +1,14 @@
-"""Restitution alone."""
+"""Restitution alone: P = j n."""
 
 from __future__ import annotations
 
-from ..body import Body
-from . import pair
-from .law import BallLaw, BallNumbers
+from .law import BallLaw, Friction
+from .pair import collide
 
 
-def collide(a: Body, b: Body, numbers: BallNumbers) -> None:
-    """P = j n."""
-    pair.collide(a, b, numbers, none)
-
-
-def none(slip: float, numbers: BallNumbers) -> float:
+def none(coefficient: float, cling: float) -> Friction:
     """No friction at any slip."""
-    return 0.0
+    return Friction(0.0)
 
 
 LAW = BallLaw("frictionless", collide, none)

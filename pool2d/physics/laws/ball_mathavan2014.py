@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
 from ..body import Body
 from .law import BallLaw, BallNumbers
@@ -10,9 +11,9 @@ from .pair import Vector, constant, normal, push, slip
 from .rebound import rebound
 
 # Steps of the integration, for each of compression and restitution.
-STEPS = 40
+STEPS: Final = 40
 # Many times the steps that a contact takes.
-_ENOUGH = 4
+_ENOUGH: Final = 4
 
 
 def collide(a: Body, b: Body, numbers: BallNumbers) -> None:
@@ -57,7 +58,7 @@ def _nudge(a: Body, b: Body, n: Vector, closing: float, part: float, numbers: Ba
     sx, sy, sz = slip(a, b, n, closing)
     size = math.sqrt(sx * sx + sy * sy + sz * sz)
     most = size / (3.5 * (1.0 / a.mass + 1.0 / b.mass))
-    rub = 0.0 if size == 0.0 else -min(constant(size, numbers) * part, most) / size
+    rub = 0.0 if size == 0.0 else -min(numbers.friction.at(size) * part, most) / size
     push(a, b, n, part, rub * sx, rub * sy, rub * sz)
     down = part * n[2] - rub * sz
     _scrub(a if down > 0.0 else b, numbers.cloth * abs(down))

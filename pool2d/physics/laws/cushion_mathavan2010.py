@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
 from ..body import Body
 from ..energy import take_back
+from ..roots import INF
 from .law import CushionLaw, CushionNumbers, Nose
 from .nose import State, along_nose, give, rate, seen
 from .rebound import rebound
@@ -14,12 +16,12 @@ from .rebound import rebound
 # steps the speeds after a rebound are off by 0.11 % of the speed before it at the most, 0.02 % on
 # average, and the spins times the radius by 1 %; with a snooker cushion by twice that. The largest are
 # where a slip turns about within a step. (`python -m pytest tests/physics/laws/test_steps.py`)
-STEPS = 16
+STEPS: Final = 16
 # Many times the steps that a contact takes which does not jam.
-_ENOUGH = 20
+_ENOUGH: Final = 20
 
 
-def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers) -> None:
+def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers, steps: int = STEPS) -> None:
     """Impulse by impulse, with friction at the nose and, as the nose presses the ball down, at the cloth.
 
     The state is integrated over the cushion's normal impulse: first until the ball has stopped going
@@ -33,9 +35,9 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers) -> None:
     restitution = rebound(approach, nose.restitution) / approach
     cos = nose.cos
     state = along_nose(ball, nx, ny)
-    step = approach / (cos * STEPS)
+    step = approach / (cos * steps)
     work = 0.0
-    for _ in range(_ENOUGH * STEPS):
+    for _ in range(_ENOUGH * steps):
         change = rate(state, nose, step)
         last = state[1] + step * change[1] <= 0.0
         part = -state[1] / change[1] if last else step
@@ -45,13 +47,13 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers) -> None:
         if last:
             break
     work *= restitution * restitution
-    for _ in range(_ENOUGH * STEPS):
+    for _ in range(_ENOUGH * steps):
         change = rate(state, nose, step)
         # Within a step the cushion gives back (-vY + |vY'| part / 2) cos part.
         out, gain = -state[1], -change[1]
         square = out * out + 2.0 * gain * work / cos
         reach = out + math.sqrt(square) if square > 0.0 else 0.0
-        whole = 2.0 * work / cos / reach if reach > 0.0 else math.inf
+        whole = 2.0 * work / cos / reach if reach > 0.0 else INF
         last = whole <= step
         part = whole if last else step
         work -= (out + 0.5 * gain * part) * cos * part
@@ -59,13 +61,14 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers) -> None:
         if last:
             break
     before = ball.energy()
-    give(ball, nx, ny, *state)
-    take_back((ball,), before, True)
+    give(ball, nx, ny, state[0], state[1], state[2], state[3], state[4])
+    take_back([ball], before, True)
 
 
 def pressing(radius: float, numbers: CushionNumbers) -> Nose:
     """The nose presses the ball on the cloth, whose friction counts."""
-    return Nose(*seen(radius, numbers), numbers.friction, numbers.cloth, numbers.restitution)
+    sin, cos = seen(radius, numbers)
+    return Nose(sin, cos, numbers.friction, numbers.cloth, numbers.restitution)
 
 
 def _moved(state: State, change: State, step: float) -> State:

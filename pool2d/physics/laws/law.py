@@ -2,52 +2,80 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from typing import NamedTuple
+from typing import final
 
 from ..body import Body
 
 
-class BallNumbers(NamedTuple):
-    """What laws for two balls read: restitution, friction, what multiplies it, and the cloth's sliding friction."""
+class Friction:
+    """A coefficient of friction that may fall as the slip grows: mu(s) = (a + b exp(-c s)) scale, s in m/s."""
 
-    restitution: float
-    friction: float
-    cling: float
-    cloth: float
+    __slots__ = ("a", "b", "c", "scale")
+
+    def __init__(self, a: float, b: float = 0.0, c: float = 0.0, scale: float = 1.0) -> None:
+        self.a = a
+        self.b = b
+        self.c = c
+        self.scale = scale
+
+    def at(self, slip: float) -> float:
+        """The coefficient at a slip."""
+        return (self.a if self.b == 0.0 else self.a + self.b * math.exp(-self.c * slip)) * self.scale
 
 
-class CushionNumbers(NamedTuple):
+@final
+class BallNumbers:
+    """What laws for two balls read: restitution, the friction of their surfaces, and the cloth's sliding friction."""
+
+    __slots__ = ("restitution", "friction", "cloth")
+
+    def __init__(self, restitution: float, friction: Friction, cloth: float) -> None:
+        self.restitution = restitution
+        self.friction = friction
+        self.cloth = cloth
+
+
+@final
+class CushionNumbers:
     """What laws for cushions read: restitution, friction, the nose's height, m, and the cloth's sliding friction."""
 
-    restitution: float
-    friction: float
-    nose_height: float
-    cloth: float
+    __slots__ = ("restitution", "friction", "nose_height", "cloth")
+
+    def __init__(self, restitution: float, friction: float, nose_height: float, cloth: float) -> None:
+        self.restitution = restitution
+        self.friction = friction
+        self.nose_height = nose_height
+        self.cloth = cloth
 
 
-class Nose(NamedTuple):
+@final
+class Nose:
     """What a ball feels at a nose: th, the friction of the rubber and that of the cloth under the ball, and e."""
 
-    sin: float
-    cos: float
-    rubber: float
-    cloth: float
-    restitution: float
+    __slots__ = ("sin", "cos", "rubber", "cloth", "restitution")
+
+    def __init__(self, sin: float, cos: float, rubber: float, cloth: float, restitution: float) -> None:
+        self.sin = sin
+        self.cos = cos
+        self.rubber = rubber
+        self.cloth = cloth
+        self.restitution = restitution
 
 
 @dataclass(frozen=True, slots=True)
 class BallLaw:
     """How two balls exchange impulse.
 
-    `collide(a, b, numbers)` changes two balls that touch; `friction(slip, numbers)` is the coefficient at a slip in
-    m/s, which the contact has within a cluster too.
+    `collide(a, b, numbers)` changes two balls that touch; `friction(coefficient, cling)` is the friction of their
+    surfaces, from the preset's coefficient and what multiplies it, which the contact has within a cluster too.
     """
 
     name: str
     collide: Callable[[Body, Body, BallNumbers], None]
-    friction: Callable[[float, BallNumbers], float]
+    friction: Callable[[float, float], Friction]
 
     def __post_init__(self) -> None:
         _whole(self)

@@ -60,7 +60,7 @@ def along_nose(ball: Body, nx: float, ny: float) -> State:
 def rate(state: State, nose: Nose, step: float) -> State:
     """What a unit of the nose's impulse, per mass, does to (vX, vY, R wX, R wY, R wZ) in a step."""
     vx, vy, qx, qy, qz = state
-    sin, cos, rubber, cloth, _ = nose
+    sin, cos, rubber, cloth = nose.sin, nose.cos, nose.rubber, nose.cloth
     sx, sy = vx + qy * sin - qz * cos, qx - vy * sin
     ux, uy = vx - qy, vy + qx
     across, along = 2.5 - sin, 1.0 - 2.5 * sin

@@ -9,13 +9,11 @@ s = (v1 - v2) + (R1 w1 + R2 w2) x n, less its part along n.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 from ..body import Body
-from .law import BallNumbers
+from .law import BallNumbers, Friction
 from .rebound import rebound
 
-Friction = Callable[[float, BallNumbers], float]
 Vector = tuple[float, float, float]
 
 
@@ -49,15 +47,18 @@ def push(a: Body, b: Body, n: Vector, along: float, fx: float, fy: float, fz: fl
     a.vy += jy / a.mass
     b.vx -= jx / b.mass
     b.vy -= jy / b.mass
-    for ball in (a, b):
-        turn = 2.5 / (ball.mass * ball.radius)
-        ball.wx += turn * mx
-        ball.wy += turn * my
-        ball.wz += turn * mz
+    turn = 2.5 / (a.mass * a.radius)
+    a.wx += turn * mx
+    a.wy += turn * my
+    a.wz += turn * mz
+    turn = 2.5 / (b.mass * b.radius)
+    b.wx += turn * mx
+    b.wy += turn * my
+    b.wz += turn * mz
 
 
-def collide(a: Body, b: Body, numbers: BallNumbers, friction: Friction) -> None:
-    """P = j (n - f v_s / |v_s|): j from restitution, friction no more than what stops the slip."""
+def collide(a: Body, b: Body, numbers: BallNumbers) -> None:
+    """P = j (n - f v_s / |v_s|): j from restitution, friction f(|v_s|), no more of it than what stops the slip."""
     n = normal(a, b)
     nx, ny, nz = n
     approach = (a.vx - b.vx) * nx + (a.vy - b.vy) * ny
@@ -70,10 +71,10 @@ def collide(a: Body, b: Body, numbers: BallNumbers, friction: Friction) -> None:
     tilt = along * ease * nz
     sx, sy, sz = sx - tilt * nx * nz, sy - tilt * ny * nz, sz + tilt * flat
     size = math.sqrt(sx * sx + sy * sy + sz * sz)
-    rub = 0.0 if size == 0.0 else -min(friction(size, numbers) * along, size / (3.5 * ease)) / size
+    rub = 0.0 if size == 0.0 else -min(numbers.friction.at(size) * along, size / (3.5 * ease)) / size
     push(a, b, n, along, rub * sx, rub * sy, rub * sz)
 
 
-def constant(slip: float, numbers: BallNumbers) -> float:
-    """The coefficient of friction that the preset gives."""
-    return numbers.friction * numbers.cling
+def constant(coefficient: float, cling: float) -> Friction:
+    """The coefficient of friction that the preset gives, at any slip."""
+    return Friction(coefficient, scale=cling)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...game.falling import ending, settling
-from ...physics.rollout import Event, Rollout
+from ...physics.event import Event
+from ...physics.rollout import Rollout
 from ...physics.values import Shot
 
 RATES = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)

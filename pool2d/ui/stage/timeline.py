@@ -8,7 +8,7 @@ from itertools import groupby
 import pygame
 
 from ...draw import pen, text, theme
-from ...physics.rollout import Event
+from ...physics.event import Event
 from ...physics.values import EventKind
 from ...table.table import Table
 from ..screen import Screen

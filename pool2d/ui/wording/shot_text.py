@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from string import digits
 
-from ...physics.rollout import Event, Rollout
+from ...physics.event import Event
+from ...physics.rollout import Rollout
 from ...physics.values import MISCUE, POCKETED, Ball
 from ...table.table import Table
 from .keys import KEYS
