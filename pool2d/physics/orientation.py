@@ -73,22 +73,22 @@ class BallRotation:
         self._tracks = rollout.tracks
         self._duration = rollout.duration
         self._start = {ball_id: unit(start.get(ball_id, FACING)) for ball_id in rollout.start}
-        self._ways: dict[str, _Way] = {}
+        self._balls: dict[str, _TurningBall] = {}
 
     def at(self, ball_id: str, t: float) -> Quaternion:
         """How a ball lies `t` seconds into the shot, clamped to its beginning and end."""
-        way = self._ways.get(ball_id)
-        if way is None:
+        ball = self._balls.get(ball_id)
+        if ball is None:
             track = self._tracks.get(ball_id, [])
-            way = self._ways[ball_id] = _Way(track, self._duration, self._start[ball_id])
-        return way.at(min(max(t, 0.0), self._duration))
+            ball = self._balls[ball_id] = _TurningBall(track, self._duration, self._start[ball_id])
+        return ball.at(min(max(t, 0.0), self._duration))
 
     def orientations(self, t: float) -> dict[str, Quaternion]:
         """How all balls lie `t` seconds into the shot."""
         return {ball_id: self.at(ball_id, t) for ball_id in self._start}
 
 
-class _Way:
+class _TurningBall:
     """One ball's pieces in order of time, and how it lies where each begins, as far as was asked for."""
 
     def __init__(self, track: list[Motion], duration: float, start: Quaternion) -> None:

@@ -12,7 +12,7 @@ Boxes = list[pygame.Rect] | None
 class Frame:
     """What scenes draw on. Boxes are in pixels; None in place of them stands for the whole surface.
 
-    `left` is where the last frame has drawn over what lies below, such as the table: the rest of the surface still
+    `before` is where the last frame has drawn over what lies below, such as the table: the rest of the surface still
     shows that. `changed` is where this frame differs from the last, which is all that has to be presented. A frame
     counts as drawn in whole unless the scene says otherwise by `begin_over`, so that one that knows nothing of this is
     safe. `over` is where this frame has drawn over what lies below, so far.
@@ -20,7 +20,7 @@ class Frame:
 
     def __init__(self, surface: pygame.Surface) -> None:
         self.surface = surface
-        self.left: Boxes = None
+        self.before: Boxes = None
         self.changed: Boxes = None
         self.over: Boxes = None
 
@@ -30,7 +30,7 @@ class Frame:
 
     def begin(self) -> None:
         """Begin the next frame on the same surface."""
-        self.left, self.over, self.changed = self.over, None, None
+        self.before, self.over, self.changed = self.over, None, None
 
     def forget(self) -> None:
         """The surface may show anything: the next frame is to be drawn in whole."""
@@ -39,10 +39,10 @@ class Frame:
     def begin_over(self, cleared: bool) -> None:
         """What lies below is there, and all that is drawn over it from now on will be told by `add`.
 
-        `cleared` says that only the boxes `left` had to be drawn for that; else all of it was.
+        `cleared` says that only the boxes `before` had to be drawn for that; else all of it was.
         """
         self.over = []
-        self.changed = list(self.left) if cleared and self.left is not None else None
+        self.changed = list(self.before) if cleared and self.before is not None else None
 
     def add(self, boxes: Iterable[pygame.Rect]) -> None:
         """Something was drawn in these boxes that is to be cleared for the next frame."""

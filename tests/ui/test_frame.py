@@ -22,9 +22,9 @@ def test_a_frame_counts_as_drawn_in_whole_unless_it_says_otherwise() -> None:
     made = frame()
     made.add([A])
     made.replace([BAR])
-    assert made.left is made.changed is made.over is None
+    assert made.before is made.changed is made.over is None
     made.begin()
-    assert made.left is None
+    assert made.before is None
 
 
 def test_what_was_drawn_over_is_cleared_by_the_next_frame_and_has_changed_in_both() -> None:
@@ -34,13 +34,13 @@ def test_what_was_drawn_over_is_cleared_by_the_next_frame_and_has_changed_in_bot
     made.replace([BAR])
     assert made.changed is None, "the first was drawn in whole"
     made.begin()
-    assert made.left == [A], "what was replaced needs no clearing"
+    assert made.before == [A], "what was replaced needs no clearing"
     made.begin_over(cleared=True)
     made.add([B])
     made.replace([BAR])
     assert made.changed == [A, B, BAR]
     made.begin()
-    assert made.left == [B]
+    assert made.before == [B]
 
 
 def test_what_may_be_anywhere_makes_this_frame_and_the_next_a_whole_one() -> None:
@@ -55,7 +55,7 @@ def test_what_may_be_anywhere_makes_this_frame_and_the_next_a_whole_one() -> Non
         made.add([B])
         assert (made.changed is None) == (spoil == made.cover)
         made.begin()
-        assert made.left is None
+        assert made.before is None
 
 
 def test_a_scene_is_laid_out_before_it_takes_the_first_event(hand: Hand) -> None:

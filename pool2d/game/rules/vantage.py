@@ -3,8 +3,9 @@
 The line that grazes a ball on is open up to the nearest ball in its way. So what is shut off from the cue ball lies
 behind that ball, between lines that touch both balls; and where the cue ball may be put ends at lines (of the area, of
 cushions) and at circles round the balls. If any place is left, then so is one where two of these lines and circles
-cross: the place furthest to the foot of the table is one. For no place ends the line x + a little y = most within a
-line, or outside a circle, and within the D only at the ends of its bow. So it is enough to look at the crossings.
+cross, and it is enough to look at the crossings. For take the place that is left nearest to the foot, of several the
+one with the greatest y: on a line one can go on along it, outside a circle on round it, and on the bow of the D on to
+one of its ends, until another line or circle is met.
 
 Places are right to a nanometre, and a ball may reach 0.1 um into a line without standing in its way.
 """

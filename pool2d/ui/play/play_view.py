@@ -21,7 +21,7 @@ from ..stage.playback import Playback
 from ..stage.shot_view import in_motion
 from ..stage.stage import Stage
 from ..wording.words import manner, say
-from . import marks
+from . import drill_marks
 from .call_words import called, off_target
 from .controller import Controller
 from .state import PlayState
@@ -37,7 +37,7 @@ def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
     stage.style = show.style
     stage.begin(frame)
     if step is not None:
-        marks.draw(surface, stage.view, table, step)
+        drill_marks.draw(surface, stage.view, table, step)
     if step is not None or show.geometry or show.vectors or panel is not None:
         frame.cover()
     if shown is None:

@@ -47,7 +47,7 @@ class Stage:
         """Draw the table, or as much of it as the last frame has drawn over."""
         # The bars are drawn over the rest.
         frame.surface.set_clip(self.screen.table)
-        frame.begin_over(self._background.show(frame.surface, self.table, self.camera.home, self.view, frame.left))
+        frame.begin_over(self._background.show(frame.surface, self.table, self.camera.home, self.view, frame.before))
         frame.surface.set_clip(None)
 
     @property

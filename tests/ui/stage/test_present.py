@@ -61,8 +61,8 @@ def test_no_more_is_presented_than_the_boxes_drawn(hand: Hand, monitor: Monitor)
     for _ in range(20):
         hand.app.step(FRAME)
         frame = hand.app.window.frame
-        assert frame.left and frame.over
-        drawn = [box.clip(monitor.window.get_rect()) for box in [*frame.left, *frame.over]]
+        assert frame.before and frame.over
+        drawn = [box.clip(monitor.window.get_rect()) for box in [*frame.before, *frame.over]]
         area = sum(box.width * box.height for box in drawn) / monitor.window.width / monitor.window.height
         assert 0.0 < monitor.share[-1] <= area + 1e-9
 

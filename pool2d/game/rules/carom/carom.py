@@ -148,18 +148,26 @@ class Carom(Rules[CaromState]):
 
     def fouls(self, state: CaromState, report: Report) -> Iterator[Note]:
         """Art. 41: what ends an inning, as far as it can be seen. 23: the opening goes straight to the red."""
-        if report.cue_off:
-            yield Note("foul.cue-off")
-        for ball in report.off:
-            yield Note("foul.off", ball=ball)
-        for ball in report.pressed:
-            yield Note("foul.push", ball=ball)
-        if "double-hit" in report.stroke and not report.pressed:
-            yield Note("foul.double-hit", ball=report.first[0] if report.first else "")
+        yield from self.fouls_off(report)
+        yield from self.fouls_pushed(report)
         if report.jammed:
             yield Note("foul.into-rail")
         if state.opening and self.cannon(report) and self._before_red(report):
             yield Note("foul.not-red")
+
+    def fouls_off(self, report: Report) -> Iterator[Note]:
+        """The fouls by balls that left the table."""
+        if report.cue_off:
+            yield Note("foul.cue-off")
+        for ball in report.off:
+            yield Note("foul.off", ball=ball)
+
+    def fouls_pushed(self, report: Report) -> Iterator[Note]:
+        """The fouls of a tip that stays on the cue ball: a touching ball is pushed, or one is met too soon."""
+        for ball in report.pressed:
+            yield Note("foul.push", ball=ball)
+        if "double-hit" in report.stroke and not report.pressed:
+            yield Note("foul.double-hit", ball=report.first[0] if report.first else "")
 
     def missed(self, report: Report) -> Note:
         """Why a stroke without foul was no point."""

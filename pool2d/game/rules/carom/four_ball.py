@@ -87,20 +87,14 @@ class FourBall(Carom):
 
     def fouls(self, state: CaromState, report: Report) -> Iterator[Note]:
         """What costs a point: to meet the opponent's ball, or no red; to push a ball that touches; balls that leave."""
-        if report.cue_off:
-            yield Note("foul.cue-off")
-        for ball in report.off:
-            yield Note("foul.off", ball=ball)
+        yield from self.fouls_off(report)
         met = balls_met(report)
         other = self.ball_of(state, self.other(state.ask.player))
         if other in met:
             yield Note("foul.other-ball", ball=other)
         if not set(REDS) & set(met):
             yield Note("foul.no-red")
-        for ball in report.pressed:
-            yield Note("foul.push", ball=ball)
-        if "double-hit" in report.stroke and not report.pressed:
-            yield Note("foul.double-hit", ball=report.first[0] if report.first else "")
+        yield from self.fouls_pushed(report)
         if state.opening and self.cannon(report) and met[0] != FAR:
             yield Note("foul.not-far")
 
