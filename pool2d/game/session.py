@@ -22,7 +22,8 @@ PRACTICE = "practice"
 class Session:
     """A match as the window plays it: shots, cue ball in hand, choices, undo and redo.
 
-    With a `recorder` every action is written to the disk; practice has none.
+    With a `recorder` every action is written to the disk; practice has none. It has more methods than most classes, as
+    the window asks it for all that concerns the game.
     """
 
     def __init__(self, match: Match, recorder: Recorder | None = None) -> None:

@@ -32,7 +32,8 @@ class Table:
     """A table to play on. Immutable; `with_knobs` makes a changed copy.
 
     `source` says where it came from, for messages and scenarios; `conditions` names those that `base`
-    holds on top of the preset; `set` is what was overridden since.
+    holds on top of the preset; `set` is what was overridden since. It has more attributes than most classes, as it
+    keeps ready what the engine asks it for at every contact.
     """
 
     def __init__(

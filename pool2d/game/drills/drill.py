@@ -43,7 +43,10 @@ class RestArea:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """What one stroke has to do, from a `layout` of its own or as the balls lie; `drill_file` tells each entry."""
+    """What one stroke has to do, from a `layout` of its own or as the balls lie; `drill_file` tells each entry.
+
+    It has more attributes than most classes, as each is a key of the file.
+    """
 
     layout: Layout | None = None
     pot: str = ""

@@ -51,6 +51,7 @@ class Rules(Generic[S]):
     groups of balls that it needs; `scored` tells whether points are counted, and `series` what those of one turn at the
     table are called: a run, or a break.
     `lags_again`: a stalemate is lagged for. `cue_counts`: a ball that was struck and falls is a pot, and stays down.
+    It has more attributes than most classes, as what tells one game from another stands in its class.
     """
 
     name: ClassVar[str]

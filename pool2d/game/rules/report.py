@@ -52,7 +52,7 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """One shot as a referee saw it.
+    """One shot as a referee saw it. It has more attributes than most classes, as no game needs all that a referee sees.
 
     Attributes:
         contacts: Who met what, in order.

@@ -17,7 +17,8 @@ class Form:
     Tab and Shift+Tab move the focus, and so do Up and Down where the focused widget has no use for them; Page Up,
     Page Down, Home and End move it farther. Left and Right go along a row of several widgets. The wheel scrolls,
     and so does dragging the scroll bar. The ring round the focused widget is drawn while the focus is moved by
-    keys. `margin` is the space between the widgets and the panel's edge, in units of the grid.
+    keys. `margin` is the space between the widgets and the panel's edge, in units of the grid. It has more attributes
+    than most classes, as it keeps what the mouse, the keys and the scroll bar are at.
     """
 
     def __init__(self, rows: list[list[Widget]], margin: int = 2) -> None:
