@@ -36,7 +36,7 @@ from pool2d.ui.play.play import Play
 from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.stage.bars import CachedBars
 from pool2d.ui.window import canvas
-from pool2d.ui.wording.keyboard import KEYBOARD, PLACES
+from pool2d.ui.wording.keyboard import PLACES
 from pool2d.ui.wording.keys import CTRL, DEFAULTS
 
 SIZE = (960, 540)
@@ -181,13 +181,13 @@ class Monkey:
     def lay(self) -> None:
         """Another keyboard layout."""
         self.letters = self.rng.choice(LAYOUTS)
-        KEYBOARD.read = self.read  # type: ignore[method-assign]
+        self.app.words.keys.keyboard.read = self.read  # type: ignore[method-assign]
         self.post(pygame.KEYMAPCHANGED)
 
     def read(self) -> None:
         """Tell the app of the layout, as a system would that has it."""
         given = dict(zip(range(pygame.KSCAN_A, pygame.KSCAN_A + 26), map(ord, self.letters), strict=True))
-        KEYBOARD.codes = {us: given.get(place, us) for place, us in PLACES.items()}
+        self.app.words.keys.keyboard.codes = {us: given.get(place, us) for place, us in PLACES.items()}
 
     def resize(self, size: tuple[int, int] | None = None) -> None:
         """Drag the window to another size, for a while."""

@@ -231,7 +231,8 @@ def replay(hand: Hand, key: int = 0) -> None:
         for shot in (Shot(0.3, 9.0), Shot(62.0, 4.0), Shot(-30.0, 5.0), Shot(200.0, 4.5)):
             if match.ask.kind == "aim":
                 recorder.play(Stroke(shot))
-    shown = Replay(RecordedShots(load(folder / "match.jsonl")), hand.play, hand.app.store, hand.app.sounds)
+    app, shots = hand.app, RecordedShots(load(folder / "match.jsonl"))
+    shown = Replay(shots, app.words, hand.play, app.store, app.sounds)
     hand.app.scene = shown
     run(hand, 1.0)
     if key:

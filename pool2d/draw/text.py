@@ -12,8 +12,8 @@ from ..config.assets import asset
 from ..printable import LONGEST, printable
 from .theme import Color
 
-# Font files that could not be read; whoever tells the player takes them out.
-failed: set[Path] = set()
+# Font files that could not be read, by anybody so far; as long as the fonts below, which stand in for them.
+unreadable: set[Path] = set()
 
 
 @lru_cache(maxsize=32)
@@ -27,7 +27,7 @@ def font(size: int) -> pygame.font.Font:
         made.size("x")
         return made
     except (OSError, pygame.error):
-        failed.add(path)
+        unreadable.add(path)
         return pygame.font.Font(None, size)
 
 

@@ -7,7 +7,6 @@ from operator import attrgetter
 import pygame
 
 from ..config.settings import GUIDES, Settings, Store
-from ..draw import text
 from ..errors import InputError, suggest
 from ..game.session import practice
 from ..sound.mixer import Sounds
@@ -21,11 +20,9 @@ from .menus.lobby import Lobby
 from .play.play import Play
 from .scene import Scene
 from .toasts import Toasts
-from .window import LARGEST, SIZE, Window, open_window
-from .wording import ruling_text, words
-from .wording.keyboard import KEYBOARD
-from .wording.keys import KEYS, Presses, action_of
-from .wording.words import say
+from .window import LARGEST, SIZE, Window
+from .wording import ruling_text
+from .wording.words import Words
 
 _FPS = 60
 # Settings are written when they have been left alone for so long, s.
@@ -35,8 +32,9 @@ _SETTLED = 1.0
 class App:
     """A window on a table. `step` is one frame; tests post events and call it as the loop does.
 
-    `store` is the player's settings; without one they are the defaults and are not kept. `surface` is the
-    window, where it is open already. With `menu` it opens with the menu, else with practice.
+    `store` is the player's settings; without one they are the defaults and are not kept. `words` is what it says and
+    the keys that it goes by, as they say. `surface` is the window, where it is open already. With `menu` it opens with
+    the menu, else with practice.
     """
 
     def __init__(
@@ -49,13 +47,12 @@ class App:
         menu: bool = False,
     ) -> None:
         self.store = store or Store()
-        self.window = Window(surface or open_window(size, self.store.values.screen.full), size)
+        self.window = Window(surface, size, self.store.values.screen.full)
         pygame.key.set_repeat(300, 30)
-        self._presses = Presses()
-        KEYBOARD.read()
-        KEYS.lay()
+        self.words = Words()
+        self.words.keys.read()
         self.sounds = Sounds()
-        self.play = Play(practice(table, seed), self.sounds)
+        self.play = Play(practice(table, seed), self.words, self.sounds)
         self.toasts = Toasts()
         self._files = PresetWatcher(table)
         self._unsaved = 0.0
@@ -86,8 +83,8 @@ class App:
 
         A window that rests is not drawn again until an event comes, or `redraw` is called.
         """
-        for event in map(KEYS.understood, self.window.events()):
-            if self._presses.idle(event):
+        for event in map(self.words.keys.understood, self.window.events()):
+            if self.words.keys.idle(event):
                 continue
             self.redraw()
             self._arrive()
@@ -161,13 +158,14 @@ class App:
     def close(self) -> None:
         self._save()
         self.play.close()
-        pygame.display.quit()
+        self.window.close()
         self.sounds.close()
 
     # The window.
 
     def _is_for_window(self, event: pygame.event.Event, scene: Scene) -> bool:
         """Whether an event is about the window itself, whatever it shows; what it asks for is then done."""
+        say = self.words.say
         if event.type == pygame.VIDEOEXPOSE:
             self.window.frame.forget()
         if event.type == pygame.VIDEORESIZE:
@@ -176,7 +174,7 @@ class App:
         # What is typed into a field, or bound to an action, means nothing to the window.
         if event.type != pygame.KEYDOWN or scene.takes_text:
             return False
-        action = action_of(event.key, getattr(event, "mod", 0))
+        action = self.words.keys.action_of(event.key, getattr(event, "mod", 0))
         if action == "fullscreen":
             self.store.turn("screen.full", not self.store.values.screen.full)
         elif action == "screenshot":
@@ -185,7 +183,7 @@ class App:
             self.store.turn("sound.mute", not self.store.values.sound.mute)
             self.sounds.click()
             silent = self.sounds.muted
-            self.toast(say("window.sound_off", key=KEYS.shown("mute")) if silent else say("window.sound_on"))
+            self.toast(say("window.sound_off", key=self.words.key("mute")) if silent else say("window.sound_on"))
         elif scene.opens_pages and (page := self._page(action, scene)) is not None:
             scene.leave()
             self.scene = page
@@ -208,6 +206,7 @@ class App:
                 self.store.turn(name, min(pixels, LARGEST))
 
     def _screenshot(self) -> None:
+        say = self.words.say
         try:
             self.toast(say("window.picture_saved", path=self.window.screenshot()))
         except InputError as error:
@@ -215,7 +214,7 @@ class App:
 
     def _name(self, scene: Scene) -> None:
         """Name the window after the table that is seen."""
-        title = ruling_text.table_title(scene.table or self.play.state.session.table)
+        title = ruling_text.table_title(self.words, scene.table or self.play.state.session.table)
         self.window.name(f"pool2d \N{EN DASH} {title}")
 
     # The settings.
@@ -224,9 +223,9 @@ class App:
         """Do as the settings say."""
         self.redraw()
         values = self.store.values
-        for error in words.speak(values.screen.language):
+        for error in self.words.speak(values.screen.language):
             self.toast(str(error), wrong=True)
-        words.tell_speeds_in(values.aiming.speed_unit)
+        self.words.speed_unit = values.aiming.speed_unit
         self.toasts.still = values.screen.reduced_motion
         self.play.take_options(values)
         self.sounds.volume = values.sound.volume
@@ -236,11 +235,12 @@ class App:
 
     def _take_keys(self) -> None:
         """Bind the keys that the player has bound, and drop what is wrong among them."""
-        wrong = KEYS.take(self.store.keys, str(self.store.path))
-        for error in wrong:
-            self.store.complain(error)
+        source, said, allowed = str(self.store.path), self.store.keys, self.words.say("options.keys.unknown")
+        wrong = self.words.keys.take(said)
+        for action in wrong:
+            self.store.complain(InputError(source, f"keys.{action}", list(said[action]), allowed))
         if wrong:
-            self.store.bind(KEYS.names())
+            self.store.bind(self.words.keys.names())
 
     def _take_names(self) -> None:
         """Drop the names among the settings that stand for nothing."""
@@ -256,8 +256,8 @@ class App:
         if level != self.store.values.aiming.guide:
             self.store.turn("aiming.guide", level)
         self.lobby.watch()
-        while text.failed:
-            self.toast(say("window.font_failed", path=text.failed.pop()), wrong=True)
+        for path in self.window.faults():
+            self.toast(self.words.say("window.font_failed", path=path), wrong=True)
         self._unsaved += dt
         if self._unsaved > _SETTLED:
             self._save()

@@ -6,6 +6,7 @@ import pygame
 
 from ..table.table import Table
 from .frame import Frame
+from .wording.words import Words
 
 # A key that skipped a shot and is pressed again does nothing else so soon after the balls have come to rest, s.
 GUARD = 0.35
@@ -14,8 +15,11 @@ GUARD = 0.35
 class Scene:
     """A screen. The next state is the return value: a scene returns itself, another, or None to quit.
 
-    What is below says what a scene allows and needs; each class overrides what is otherwise with it.
+    `words` is what it says things by, the app's; a scene over another has it from that. What is below says what a scene
+    allows and needs; each class overrides what is otherwise with it.
     """
+
+    words: Words
 
     @property
     def still(self) -> bool:

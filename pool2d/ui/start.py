@@ -14,7 +14,6 @@ import pygame
 from ..config.settings import Store
 from ..errors import InputError
 from .window import Splash, first_size, open_window
-from .wording import words
 
 if TYPE_CHECKING:
     from ..table.table import Table
@@ -60,7 +59,7 @@ def replay(path: Path, number: int | None = None, frames: int | None = None) -> 
             raise InputError("command line", "--shot", number, f"allowed is 1 to {len(shots)}")
         splash.tell(0.7)
         app = App(shots[0].match.table, 0, size, store, splash.surface)
-        shown = Replay(shots, None, store, app.sounds)
+        shown = Replay(shots, app.words, None, store, app.sounds)
         shown.state.go((number or 1) - 1)
         app.scene = shown
         splash.tell(1.0)
@@ -82,7 +81,6 @@ def _opened(frames: int | None) -> Iterator[tuple[Splash, Store, tuple[int, int]
         if frames is None and pygame.display.get_driver() in _UNSEEN and "SDL_VIDEODRIVER" not in os.environ:
             raise InputError("display", "", None, "no screen was found to open a window on")
         splash = Splash(surface)
-        words.speak(store.values.screen.language)
         yield splash, store, size
     finally:
         pygame.display.quit()

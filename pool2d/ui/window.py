@@ -71,16 +71,20 @@ def canvas(window: pygame.Surface) -> pygame.Surface:
 class Window:
     """The window and what is drawn on it; `size` is what it has when it does not fill the screen.
 
-    `surface` is the window's own. What is drawn on is `frame`, a larger one where the window is too small.
+    `surface` is the window's own; without one it is opened, `full` or not, and closed in the end. What is drawn on is
+    `frame`, a larger one where the window is too small.
     """
 
-    def __init__(self, surface: pygame.Surface, size: tuple[int, int]) -> None:
-        self.surface = surface
+    def __init__(self, surface: pygame.Surface | None, size: tuple[int, int], full: bool) -> None:
+        self._opened = surface is None
+        self.surface = surface or open_window(size, full)
         self.size = size
-        self.frame = Frame(canvas(surface))
+        self.frame = Frame(canvas(self.surface))
         self._caption = ""
         # Events that came while nothing was to be done.
         self._came: list[pygame.event.Event] = []
+        # The files of fonts whose loss has been told.
+        self._told: set[Path] = set()
 
     @property
     def full(self) -> bool:
@@ -106,6 +110,11 @@ class Window:
         if not self.full:
             self.size = self.surface.get_size()
 
+    def close(self) -> None:
+        """Close the window, unless it was opened by others, who close it."""
+        if self._opened:
+            pygame.display.quit()
+
     def name(self, caption: str) -> None:
         """Give the window a caption."""
         if caption != self._caption:
@@ -121,6 +130,12 @@ class Window:
             path = path.with_stem(f"{path.stem.partition('_')[0]}_{number}")
         picture_file.save(self.surface, path)
         return path
+
+    def faults(self) -> set[Path]:
+        """The files of fonts that could not be read, each once."""
+        new = text.unreadable - self._told
+        self._told |= new
+        return new
 
     # What comes from it, and what is shown on it.
 

@@ -169,7 +169,7 @@ def test_the_arrow_of_the_cue_starts_where_the_tip_meets_the_ball() -> None:
 def test_v_shows_the_arrows_and_a_legend_clear_of_the_cloth(hand: Hand, size: tuple[int, int]) -> None:
     hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     hand.app.step(0.0)
-    legend = draw_legend(hand.app.window.surface, hand.play.stage.screen)
+    legend = draw_legend(hand.app.window.surface, hand.app.words, hand.play.stage.screen)
     assert pygame.Rect(hand.play.stage.screen.table).contains(legend)
     assert legend.right <= hand.play.stage.view.to_screen(0.0, 0.0)[0]
     hand.point(1.7, 0.3)

@@ -17,7 +17,6 @@ import pytest
 from pool2d import Ball, Layout, load_table
 from pool2d.ui.app import App
 from pool2d.ui.play.play import Play
-from pool2d.ui.wording import words
 
 FRAME = 1.0 / 60.0
 # The two balls of `two`.
@@ -124,4 +123,3 @@ def guest() -> Iterator[Hand]:
     pygame.event.clear()
     yield Hand(app)
     app.close()
-    words.speak("en")

@@ -23,7 +23,7 @@ from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import Help, hands, keys
 from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.screen import Screen
-from pool2d.ui.wording.keys import CTRL, DEFAULTS, action_of
+from pool2d.ui.wording.keys import CTRL, DEFAULTS, Keymap
 
 from .conftest import FRAME, Hand
 
@@ -146,8 +146,8 @@ def test_help_lists_every_binding_and_closes(
     monkeypatch.setattr(text, "draw", spy)
     hand.app.redraw()
     hand.app.step(0.0)
-    assert len(keys()) >= 15
-    for name, does in hands() + keys():
+    assert len(keys(hand.app.words)) >= 15
+    for name, does in hands(hand.app.words) + keys(hand.app.words):
         assert name in drawn and does in drawn
     window = pygame.Rect(0, 0, *size)
     assert all(window.contains(place) for place in drawn.values())
@@ -166,6 +166,7 @@ def test_no_two_actions_share_a_key() -> None:
     chords = [chord for chords in DEFAULTS.values() for chord in chords]
     assert len(chords) == len(set(chords))
     assert CTRL + pygame.K_q in chords
+    action_of = Keymap().action_of
     assert action_of(pygame.K_q, pygame.KMOD_CTRL) == "quit"
     assert action_of(pygame.K_q, 0) == "lower"
     assert action_of(pygame.K_LEFT, pygame.KMOD_CTRL) == "turn_left"
@@ -251,7 +252,7 @@ def test_the_window_is_named_after_the_table_of_a_replay(hand: Hand) -> None:
     session = recorded(load_table("snooker-12ft"), Setup("snooker", breaker=0))
     session.play(Shot(speed=2.0))
     session.leave()
-    hand.app.scene = Replay(RecordedShots(load(unfinished()[0])), hand.play)
+    hand.app.scene = Replay(RecordedShots(load(unfinished()[0])), hand.app.words, hand.play)
     hand.app.step(FRAME)
     assert "Snooker" in pygame.display.get_caption()[0]
     hand.key(pygame.K_ESCAPE)

@@ -33,6 +33,7 @@ from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.replay.replay_state import PAUSE
 from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.widgets.widget import Heading
+from pool2d.ui.wording.words import Words
 
 from .conftest import FRAME, Hand
 
@@ -63,7 +64,7 @@ class Viewer(Hand):
         shots = RecordedShots(load(path))
         app = App(shots[0].match.table, seed=1)
         pygame.event.clear()
-        self.replay = Replay(shots, None, app.store, app.sounds)
+        self.replay = Replay(shots, app.words, None, app.store, app.sounds)
         app.scene = self.replay
         super().__init__(app)
 
@@ -162,12 +163,12 @@ def test_the_list_leads_to_a_shot_by_keys_and_by_mouse(viewer: Viewer) -> None:
 
 
 def test_what_came_of_a_shot_is_told_at_its_end(viewer: Viewer) -> None:
-    assert replay_view.caption(viewer.replay.state) == ("", False)
+    assert replay_view.caption(viewer.app.words, viewer.replay.state) == ("", False)
     viewer.key(pygame.K_END)
-    assert "hit no ball" in replay_view.caption(viewer.replay.state)[0]
+    assert "hit no ball" in replay_view.caption(viewer.app.words, viewer.replay.state)[0]
     viewer.key(pygame.K_PAGEDOWN)
     viewer.key(pygame.K_END)
-    assert "taken back" in replay_view.caption(viewer.replay.state)[0]
+    assert "taken back" in replay_view.caption(viewer.app.words, viewer.replay.state)[0]
 
 
 def test_a_call_is_told_in_words(tmp_path: Path) -> None:
@@ -175,8 +176,8 @@ def test_a_call_is_told_in_words(tmp_path: Path) -> None:
         recorder.play(Stroke(Shot(0.0, 2.0), Call(ball="red7")))
         recorder.play(Stroke(Shot(0.0, 2.0)))
     first, second = RecordedShots(load(recorder.path)).played[0], RecordedShots(load(recorder.path))[1]
-    assert replay_view.called(first) == "Player 1 calls red 7."
-    assert replay_view.called(second) == ""
+    assert replay_view.called(Words(), first) == "Player 1 calls red 7."
+    assert replay_view.called(Words(), second) == ""
 
 
 def test_the_score_is_the_one_of_the_moment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,7 +14,6 @@ from ..screen import Screen
 from ..widgets.field import TextField
 from ..widgets.form import Form
 from ..widgets.widget import Button, Gap, Heading, Widget
-from ..wording.words import say
 
 
 class Overlay(Scene):
@@ -22,6 +21,7 @@ class Overlay(Scene):
 
     def __init__(self, below: Scene) -> None:
         self.below = below
+        self.words = below.words
 
     @property
     def bottom(self) -> Scene:
@@ -113,6 +113,7 @@ class TextPrompt(Dialog):
     """
 
     def __init__(self, below: Scene, title: str, label: str, value: str, take: Callable[[str], str]) -> None:
+        say = below.words.say
         self.field = TextField(label, value)
         self.field.select_all()
         self.take = take
@@ -148,6 +149,6 @@ class Confirm(Dialog):
             question,
             [
                 [Gap(0.3)],
-                [Button(say("form.cancel"), self.close), Button(yes, lambda: self.go(do()), strong=True)],
+                [Button(below.words.say("form.cancel"), self.close), Button(yes, lambda: self.go(do()), strong=True)],
             ],
         )

@@ -11,8 +11,8 @@ from ...draw import shapes, text, theme
 from ..frame import Frame
 from ..scene import Scene
 from ..screen import Screen
-from ..wording.keys import HANDS, HELD, KEYS, rows
-from ..wording.words import say
+from ..wording.keys import HANDS, HELD, rows
+from ..wording.words import Words
 from .dialog import Overlay
 
 Line = tuple[str, str]
@@ -36,7 +36,7 @@ class Help(Overlay):
     def lay_out(self, size: tuple[int, int]) -> None:
         super().lay_out(size)
         self._screen = Screen(*size)
-        self._page = _laid([*hands(), ("", ""), *keys()], self._screen)
+        self._page = _laid([*hands(self.words), ("", ""), *keys(self.words)], self._screen)
 
     def draw(self, frame: Frame) -> None:
         super().draw(frame)
@@ -49,7 +49,7 @@ class Help(Overlay):
         box.center = surface.get_rect().center
         shapes.panel(surface, box, unit)
         x, top = box.left + 3 * unit, box.top + 2 * unit
-        text.draw(surface, say("help.title"), screen.large, theme.TEXT, (x, top))
+        text.draw(surface, self.words.say("help.title"), screen.large, theme.TEXT, (x, top))
         top += 2 * screen.large + unit
         for column in page.columns:
             left, right = _widths(column, page.size)
@@ -59,18 +59,18 @@ class Help(Overlay):
             x += left + right + 5 * unit
 
 
-def hands() -> list[Line]:
+def hands(words: Words) -> list[Line]:
     """What the mouse does, as pairs of an action's name and its effect, in the present language."""
-    return [(say(f"hand.{name}.name"), say(f"hand.{name}.does")) for name in HANDS]
+    return [(words.say(f"hand.{name}.name"), words.say(f"hand.{name}.does")) for name in HANDS]
 
 
-def keys() -> list[Line]:
+def keys(words: Words) -> list[Line]:
     """What the keys do, as pairs of the keys bound at present and their effect."""
     lines = []
     for actions in rows():
-        shown = KEYS.shown(*actions)
-        name = say("help.hold", keys=shown) if actions[0] in HELD else shown
-        lines.append((name, say(f"help.{actions[0]}")))
+        shown = words.key(*actions)
+        name = words.say("help.hold", keys=shown) if actions[0] in HELD else shown
+        lines.append((name, words.say(f"help.{actions[0]}")))
     return lines
 
 

@@ -8,7 +8,6 @@ from ...draw import theme
 from ...errors import InputError
 from ..scene import Scene
 from ..widgets.widget import Button, Gap, Heading, Widget
-from ..wording.words import say
 from .dialog import Dialog
 
 
@@ -48,5 +47,5 @@ class ListPage(Dialog):
         rows: list[Widget] = [Heading(self.heading, theme.TEXT, large=True)]
         rows += [Heading(self.intro)] if self.intro() else [Gap(0.3)]
         rows += [Heading(lambda: self.wrong, theme.WARNING, lines=3)] if self.wrong else []
-        rows += [*self.entries(), Button(say("form.close"), self.close)]
+        rows += [*self.entries(), Button(self.words.say("form.close"), self.close)]
         self.form.set_rows([[row] for row in rows])

@@ -14,9 +14,8 @@ from ..scene import Scene
 from ..widgets.ball_row import BallRow
 from ..widgets.inputs import Selector, Slider
 from ..widgets.widget import Button, Gap, Heading, Tabs, Toggle, Widget, face, plate, tone
-from ..wording import words
-from ..wording.keys import DEFAULTS, FIXED, KEYS, chord_of, may_be_bound, shown
-from ..wording.words import say
+from ..wording.keys import DEFAULTS, FIXED, chord_of, may_be_bound
+from ..wording.words import AUTO, Words, catalogue, languages
 from .dialog import Dialog
 
 KEYS_PAGE = "keys"
@@ -26,7 +25,7 @@ PALETTES = tuple(theme.PALETTES)
 # Settings that are texts, and what is offered for them.
 OFFERED: dict[str, Callable[[], Sequence[str]]] = {
     "balls.palette": lambda: PALETTES,
-    "screen.language": lambda: (words.AUTO, *words.languages()),
+    "screen.language": lambda: (AUTO, *languages()),
 }
 # Settings that hands change elsewhere, by dragging the window's edge.
 _ELSEWHERE = ("screen.width", "screen.height")
@@ -46,6 +45,7 @@ class OptionsPage(Dialog):
         self._fill()
 
     def _fill(self) -> None:
+        say = self.words.say
         page = self._page()
         self.form.set_rows(
             [
@@ -65,8 +65,8 @@ class OptionsPage(Dialog):
 
     def _page(self) -> list[Widget]:
         if self.page == KEYS_PAGE:
-            rows = [KeyRow(action, self._keys_changed) for action in DEFAULTS if action not in FIXED]
-            return [Heading(lambda: say("options.keys.intro"), lines=2), *rows]
+            rows = [KeyRow(self.words, action, self._keys_changed) for action in DEFAULTS if action not in FIXED]
+            return [Heading(lambda: self.words.say("options.keys.intro"), lines=2), *rows]
         samples = [BallRow(lambda: style_of(self.store.values))] if self.page == "balls" else []
         return [*samples, *(self._widget(name, knob) for name, knob in self._settings())]
 
@@ -76,6 +76,7 @@ class OptionsPage(Dialog):
         return [(name, knob) for name, knob in found if name not in _ELSEWHERE]
 
     def _widget(self, name: str, knob: Knob) -> Widget:
+        say = self.words.say
         label, hint = say(f"setting.{name}"), say(f"setting.{name}_hint")
 
         def get() -> float | str:
@@ -90,8 +91,11 @@ class OptionsPage(Dialog):
             return Toggle(label, lambda: bool(get()), put, hint)
         if isinstance(knob.default, str):
             options = OFFERED.get(name, lambda: knob.choices)
-            return Selector(label, options, lambda: str(get()), put, hint, _told(name))
-        return Slider(label, knob, lambda: float(get()), put, lambda: put(knob.default), hint)
+            return Selector(label, options, lambda: str(get()), put, hint, _told(self.words, name))
+        return Slider(
+            label, knob, lambda: float(get()), put, lambda: put(knob.default), hint,
+            lambda value: self.words.quantity(value, ".4g", knob.unit),
+        )  # fmt: skip
 
     def _open(self, page: str) -> None:
         self.page = page
@@ -99,11 +103,11 @@ class OptionsPage(Dialog):
         self._fill()
 
     def _keys_changed(self) -> None:
-        self.store.bind(KEYS.names())
+        self.store.bind(self.words.keys.names())
 
     def _reset(self) -> None:
         if self.page == KEYS_PAGE:
-            KEYS.reset()
+            self.words.keys.reset()
             self._keys_changed()
         for name, knob in self._settings():
             self.store.turn(name, knob.default)
@@ -120,11 +124,12 @@ class KeyRow(Widget):
 
     rows = 1.1
 
-    def __init__(self, action: str, changed: Callable[[], None]) -> None:
+    def __init__(self, words: Words, action: str, changed: Callable[[], None]) -> None:
         super().__init__()
+        self.words = words
         self.action = action
         self.changed = changed
-        self.hint = say("options.keys.hint", keys=shown(*KEYS.defaults[action]))
+        self.hint = words.say("options.keys.hint", keys=words.chords(*words.keys.defaults[action]))
         self.message = ""
         self._wanted = 0
 
@@ -140,7 +145,7 @@ class KeyRow(Widget):
             self._take(key, mod)
             return True
         if key in (pygame.K_DELETE, pygame.K_BACKSPACE):
-            KEYS.reset(self.action)
+            self.words.keys.reset(self.action)
             self.changed()
         elif key in (pygame.K_RETURN, pygame.K_SPACE):
             self._listen(True)
@@ -150,28 +155,29 @@ class KeyRow(Widget):
 
     def _listen(self, on: bool) -> None:
         self.greedy, self._wanted = on, 0
-        self.message = say("options.keys.press") if on else ""
+        self.message = self.words.say("options.keys.press") if on else ""
 
     def _take(self, key: int, mod: int) -> None:
+        say = self.words.say
         chord = chord_of(key, mod)
-        owner = KEYS.owner(chord)
+        owner = self.words.keys.owner(chord)
         if key == pygame.K_ESCAPE:
             self._listen(False)
         elif not may_be_bound(chord):
             if key not in _MODIFIERS:
-                self.message = say("options.keys.fixed", key=shown(chord))
+                self.message = say("options.keys.fixed", key=self.words.chords(chord))
         elif owner not in (None, self.action) and chord != self._wanted:
             self._wanted = chord
-            self.message = say("options.keys.taken", key=shown(chord), action=say(f"action.{owner}"))
+            self.message = say("options.keys.taken", key=self.words.chords(chord), action=say(f"action.{owner}"))
         else:
-            KEYS.bind(self.action, chord)
+            self.words.keys.bind(self.action, chord)
             self._listen(False)
             self.changed()
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         size = unit * 7 // 4
         color = theme.ACCENT if focused or self.greedy else theme.TEXT
-        name = say(f"action.{self.action}")
+        name = self.words.say(f"action.{self.action}")
         box = self.rect.inflate(0, -unit // 2)
         if not self.message:
             label = text.fitted(name, size, self.rect.width * 2 // 5 - unit)
@@ -181,7 +187,7 @@ class KeyRow(Widget):
         edge = theme.ACCENT if self.greedy else tone(hovered)
         plate(surface, box, face(self.pressed or self.greedy, hovered), unit, edge)
         # What is told while the row waits for a key takes all of it.
-        said = f"{name}: {self.message}" if self.message else KEYS.shown(self.action)
+        said = f"{name}: {self.message}" if self.message else self.words.key(self.action)
         tint = theme.ACCENT if self.message else theme.TEXT
         text.draw(surface, text.fitted(said, size, box.width - 2 * unit), size, tint, box.center, (0.5, 0.5))
 
@@ -192,13 +198,13 @@ _MODIFIERS = (
 )  # fmt: skip
 
 
-def _told(name: str) -> Callable[[str], str]:
+def _told(words: Words, name: str) -> Callable[[str], str]:
     """The text for each value of a setting, by the setting's name."""
     if name == "screen.language":
-        return _language
+        return lambda code: _language(words, code)
     return lambda value: words.say_or(f"choice.{value}", value)
 
 
-def _language(code: str) -> str:
+def _language(words: Words, code: str) -> str:
     """A language's own name for itself, by its code, as "Deutsch" for "de"."""
-    return say("language.auto") if code == words.AUTO else words.catalogue(code).texts.get("language.name", code)
+    return words.say("language.auto") if code == AUTO else catalogue(code).texts.get("language.name", code)

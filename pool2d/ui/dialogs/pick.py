@@ -10,7 +10,6 @@ from ...draw import theme
 from ..scene import Scene
 from ..widgets.inputs import ListBox
 from ..widgets.widget import Button, Heading, Widget
-from ..wording.words import say
 from .dialog import Dialog
 
 _LINES = 9
@@ -37,7 +36,7 @@ class Pick(Dialog):
         rows: list[list[Widget]] = [
             [ListBox(lambda: self.names, lambda: self.chosen, self._choose, _LINES)],
             [Heading(lambda: self.wrong, theme.WARNING, lines=2)],
-            [Button(say("form.cancel"), self.close), Button(button, self._ok, strong=True)],
+            [Button(below.words.say("form.cancel"), self.close), Button(button, self._ok, strong=True)],
         ]
         super().__init__(below, title, rows)
 

@@ -10,7 +10,6 @@ from ...game import saved_positions
 from ..scene import Scene
 from ..widgets.list_row import ListRow
 from ..widgets.widget import Widget
-from ..wording.words import say
 from .dialog import TextPrompt
 from .list_page import ListPage
 
@@ -20,6 +19,7 @@ def ask_for_name(below: Scene, keep: Callable[[str], None]) -> TextPrompt:
 
     A name that is taken has to be confirmed by a second Enter before its position is replaced.
     """
+    say = below.words.say
     warned = ""
 
     def take(name: str) -> str:
@@ -47,6 +47,7 @@ class PositionList(ListPage):
     """
 
     def __init__(self, below: Scene, take: Callable[[str], str]) -> None:
+        say = below.words.say
         self.take = take
         super().__init__(
             below, lambda: say("shelf.open"), lambda: "" if saved_positions.positions() else say("shelf.empty")
@@ -58,6 +59,7 @@ class PositionList(ListPage):
                 name,
                 self.reporting(partial(self._open, name)),
                 remove=self.reporting(partial(saved_positions.remove, name)),
+                sure=self.words.say("entry.sure"),
             )
             for name in saved_positions.positions()
         ]

@@ -9,12 +9,12 @@ from ...errors import InputError
 from ...table.preset import differences, save_preset
 from ...table.table import Table
 from ..scene import Scene
-from ..wording.words import say
 from .dialog import TextPrompt
 
 
 def ask_to_save(below: Scene, table: Table, saved: Callable[[Path], None]) -> TextPrompt:
     """A dialog that asks for a preset's name and saves the table; `saved` is called with the file's path."""
+    say = below.words.say
 
     def save(name: str) -> str:
         try:

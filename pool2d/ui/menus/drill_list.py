@@ -16,13 +16,13 @@ from ..scene import Scene
 from ..widgets.list_row import ListRow
 from ..widgets.widget import Heading, Widget
 from ..wording import ruling_text
-from ..wording.words import say
 
 
 class DrillList(ListPage):
     """Every drill with its goal and the best result; it is played on `play` over what is played there."""
 
     def __init__(self, below: Scene, play: Play) -> None:
+        say = below.words.say
         self.play = play
         super().__init__(below, lambda: say("drill.title"), lambda: say("drill.intro"))
 
@@ -36,8 +36,8 @@ class DrillList(ListPage):
             wrong = str(error)
             return Heading(lambda: wrong, theme.WARNING, lines=2)
         record = best(drill.id)
-        note = "" if record is None else say("drill.best", best=record, most=drill.most)
-        wording = ruling_text.wording(drill)
+        note = "" if record is None else self.words.say("drill.best", best=record, most=drill.most)
+        wording = ruling_text.wording(self.words, drill)
         return ListRow(wording.name, partial(self._open, drill), note, wording.text)
 
     def _open(self, drill: Drill) -> None:

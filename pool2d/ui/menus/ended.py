@@ -12,7 +12,7 @@ from ..dialogs.dialog import Dialog
 from ..scene import GUARD, Scene
 from ..widgets.widget import Button, Gap, Heading, Widget
 from ..wording import ruling_text
-from ..wording.words import number, say
+from ..wording.words import Words
 
 
 class End(Dialog):
@@ -39,13 +39,14 @@ class FrameOver(End):
     def __init__(
         self, below: Scene, match: Match, on: Callable[[], Scene], leave: Callable[[], Scene]
     ) -> None:  # fmt: skip
+        say = below.words.say
         winner = match.state.winner
         won = say("ended.draw") if winner is None else say("ended.frame", name=match.names[winner])
         super().__init__(
             below,
             won,
             [
-                [Heading(lambda: ruling_text.verdict(match.now, match), lines=2)],
+                [Heading(lambda: ruling_text.verdict(below.words, match.now, match), lines=2)],
                 [Heading(lambda: say("ended.race", count=match.setup.race))],
                 [Score(match)],
                 [Gap(0.4)],
@@ -61,16 +62,17 @@ class MatchOver(End):
     """The end of a match: the winner and why, and the numbers of both players."""
 
     def __init__(self, below: Scene, match: Match, again: Callable[[], Scene], leave: Callable[[], Scene]) -> None:
+        say = below.words.say
         assert match.winner is not None
         super().__init__(
             below,
             say("ended.match", name=match.names[match.winner]),
             [
-                [Heading(lambda: ruling_text.verdict(match.now, match), lines=2)],
-                [Heading(lambda: ruling_text.title(match.setup.game))],
+                [Heading(lambda: ruling_text.verdict(below.words, match.now, match), lines=2)],
+                [Heading(lambda: ruling_text.title(below.words, match.setup.game))],
                 [Score(match)],
                 [Gap(0.2)],
-                [Grid(statistics(match))],
+                [Grid(statistics(below.words, match))],
                 [Gap(0.4)],
                 [
                     Button(say("ended.menu"), lambda: self.go(leave())),
@@ -123,13 +125,13 @@ class Grid(Widget):
             text.draw(surface, theirs, size, theme.TEXT, (self.rect.right - side, y), (0.5, 0.5))
 
 
-def statistics(match: Match) -> list[tuple[str, str, str]]:
+def statistics(words: Words, match: Match) -> list[tuple[str, str, str]]:
     """What each of two players did, as labels and their values; what the game does not know is left out."""
     tallies = match.now.tallies
     lines: list[tuple[str, str, str]] = []
 
     def tell(key: str, values: Sequence[str]) -> None:
-        lines.append((say(f"ended.stat.{key}"), *values))  # type: ignore[arg-type]
+        lines.append((words.say(f"ended.stat.{key}"), *values))  # type: ignore[arg-type]
 
     if any(tally.points for tally in tallies):
         tell("points", [str(tally.points) for tally in tallies])
@@ -139,7 +141,7 @@ def statistics(match: Match) -> list[tuple[str, str, str]]:
         tell("pots", [str(tally.pots) for tally in tallies])
         tell("success", [_percent(good, all_) for good, all_ in potting(match)])
     else:
-        tell("average", [number(tally.points / max(1, tally.innings), ".2f") for tally in tallies])
+        tell("average", [words.number(tally.points / max(1, tally.innings), ".2f") for tally in tallies])
     tell("fouls", [str(tally.fouls) for tally in tallies])
     return lines
 

@@ -20,7 +20,7 @@ from ..play.play import Play
 from ..replay.record_list import RecordList, about, open_replays
 from ..scene import Scene
 from ..wording.ruling_text import title
-from ..wording.words import say
+from ..wording.words import Words
 from .drill_list import DrillList
 from .ended import FrameOver, MatchOver
 from .menu import Banner, Menu, MenuEntry, pause_menu
@@ -36,6 +36,7 @@ class Lobby:
 
     def __init__(self, play: Play, store: Store, tell: Callable[[str], None], note: Callable[[str], None]) -> None:
         self.play = play
+        self.words = play.words
         self.store = store
         self.tell = tell
         self.note = note
@@ -50,10 +51,11 @@ class Lobby:
 
     def menu(self) -> Menu:
         """What the game can be asked for."""
+        say = self.words.say
         entries = [
             *self._going_on(lambda: menu),
             MenuEntry(lambda: say("menu.new"), lambda: self._new_match(menu)),
-            MenuEntry(lambda: title(PRACTICE), lambda: self.play),
+            MenuEntry(lambda: title(self.words, PRACTICE), lambda: self.play),
             MenuEntry(lambda: say("menu.tables"), lambda: TableList(menu, self.play)),
             MenuEntry(lambda: say("drill.title"), lambda: DrillList(menu, self.play)),
             MenuEntry(lambda: say("menu.replays"), lambda: open_replays(menu, self.store, self.play.sounds, self.menu)),
@@ -64,6 +66,7 @@ class Lobby:
 
     def pause(self) -> Scene:
         """What can be done in the middle of a game; where its frame is over, how it ended."""
+        say = self.words.say
         if (end := self.ended()) is not None:
             return end
         entries = [MenuEntry(lambda: say("pause.resume"), lambda: self.play)]
@@ -112,6 +115,7 @@ class Lobby:
 
     def _always(self, here: Callable[[], Scene]) -> list[MenuEntry]:
         """The entries that every menu has."""
+        say = self.words.say
         return [
             MenuEntry(lambda: say("options.title"), lambda: OptionsPage(here(), self.store)),
             MenuEntry(lambda: say("menu.help"), lambda: Help(here())),
@@ -120,10 +124,11 @@ class Lobby:
 
     def _going_on(self, here: Callable[[], Scene]) -> list[MenuEntry]:
         """The entries for the latest match that is not finished, and for all of them where there are more."""
+        say = self.words.say
         self._look_at_latest()
         paths = unfinished()
         try:
-            details = [_match_details(path) for path in paths[:1]]
+            details = [_match_details(self.words, path) for path in paths[:1]]
         except (InputError, OSError):
             return []
         entries = [MenuEntry(lambda: say("menu.continue"), lambda: self._resume(paths[0]), lines) for lines in details]
@@ -133,7 +138,7 @@ class Lobby:
 
     def _others(self, menu: Scene) -> Scene:
         """The matches that can be continued, to choose one of."""
-        return RecordList(menu, lambda: say("menu.others"), unfinished, self._taken_up, self.menu)
+        return RecordList(menu, lambda: self.words.say("menu.others"), unfinished, self._taken_up, self.menu)
 
     def _look_at_latest(self) -> None:
         """Tell once where the record of the match played last is damaged, as it cannot be continued."""
@@ -155,6 +160,7 @@ class Lobby:
             return self.menu()
 
     def _taken_up(self, path: Path) -> Scene:
+        say = self.words.say
         recorder = resume(path)
         if recorder.outdated:
             self.note(say(f"since.preset_{recorder.outdated}"))
@@ -166,6 +172,7 @@ class Lobby:
         return NewMatch(menu, self.store, self.play.state.session.table, self.begin)
 
     def _ask_to_concede(self, menu: Scene) -> Scene:
+        say = self.words.say
         session = self.play.state.session
         name = session.match.names[session.ask.player]
 
@@ -176,6 +183,7 @@ class Lobby:
         return Confirm(menu, say("pause.concedes", name=name), say("pause.concede"), concede)
 
     def _ask_to_begin_again(self, menu: Scene) -> Scene:
+        say = self.words.say
         session = self.play.state.session
 
         def begin_again() -> Scene:
@@ -203,7 +211,7 @@ def _seed() -> int:
     return random.randrange(1 << 30)
 
 
-def _match_details(path: Path) -> Callable[[], tuple[str, str]]:
+def _match_details(words: Words, path: Path) -> Callable[[], tuple[str, str]]:
     """What the menu says of a match that can be continued."""
     players, game, when = about(path)
-    return lambda: (players, f"{title(game)}   \N{MIDDLE DOT}   {when}")
+    return lambda: (players, f"{title(words, game)}   \N{MIDDLE DOT}   {when}")

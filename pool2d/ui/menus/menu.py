@@ -11,7 +11,6 @@ from ...draw import shapes, text, theme
 from ..dialogs.dialog import Dialog
 from ..scene import Scene
 from ..widgets.widget import Gap, Heading, Widget
-from ..wording.words import say
 
 
 class MenuEntry(NamedTuple):
@@ -112,4 +111,4 @@ class Banner(Widget):
 
 def pause_menu(below: Scene, entries: Sequence[MenuEntry]) -> Menu:
     """The menu in the middle of a game."""
-    return Menu(below, Heading(lambda: say("pause.title"), theme.TEXT, large=True), entries)
+    return Menu(below, Heading(lambda: below.words.say("pause.title"), theme.TEXT, large=True), entries)

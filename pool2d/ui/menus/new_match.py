@@ -20,7 +20,7 @@ from ..widgets.field import TextField
 from ..widgets.inputs import Selector
 from ..widgets.widget import Button, Gap, Heading, Toggle, Widget
 from ..wording import ruling_text
-from ..wording.words import say, say_or
+from ..wording.words import Words
 from .match_draft import RACES, TUNED, MatchDraft
 
 # What is offered for a number, as far as its range goes.
@@ -46,12 +46,13 @@ class NewMatch(Dialog):
         self.draft = MatchDraft(store, table)
         # What went wrong with the last start.
         self.wrong = ""
-        self.fields = [_name_field(number, name) for number, name in enumerate(store.values.players.names)]
+        self.fields = [_name_field(self.words, number, name) for number, name in enumerate(store.values.players.names)]
         self._fill()
 
     @property
     def barred(self) -> str:
         """Why no match can start as it is set up; empty where one can."""
+        say = self.words.say
         draft = self.draft
         if draft.error:
             return draft.error
@@ -59,7 +60,7 @@ class NewMatch(Dialog):
             return ""
         table = self._title(draft.preset)
         if draft.game and any(draft.fits(draft.preset, game) for game in draft.games):
-            return say("match.other_game", game=_game(draft.game), table=table)
+            return say("match.other_game", game=ruling_text.title(self.words, draft.game), table=table)
         return say("match.no_game", table=table)
 
     @property
@@ -86,6 +87,7 @@ class NewMatch(Dialog):
     # What is on the panel.
 
     def _fill(self) -> None:
+        say = self.words.say
         options = self._option_widgets()
         self.form.set_rows(
             [
@@ -107,11 +109,12 @@ class NewMatch(Dialog):
         )
 
     def _game_and_table(self) -> list[list[Widget]]:
+        say = self.words.say
         draft = self.draft
         game = Selector(
             say("setting.match.game"), lambda: draft.games, lambda: draft.game, self._take_game,
             say("setting.match.game_hint"),
-            _game,
+            lambda name: ruling_text.title(self.words, name) if name else "",
         )  # fmt: skip
         table = Selector(
             say("setting.match.table"), lambda: draft.tables, lambda: draft.preset, self._take_table, shown=self._title
@@ -119,6 +122,7 @@ class NewMatch(Dialog):
         return [[game], [table]]
 
     def _race_and_breaks(self) -> list[list[Widget]]:
+        say = self.words.say
         draft = self.draft
         race = Selector(
             say("setting.match.race"), lambda: [str(frames) for frames in RACES], lambda: str(draft.race),
@@ -144,7 +148,8 @@ class NewMatch(Dialog):
 
     def _option(self, name: str, knob: Knob) -> Widget:
         draft = self.draft
-        label, hint = ruling_text.setting(name), ruling_text.setting_hint(draft.game, name, knob.doc)
+        label = ruling_text.setting(self.words, name)
+        hint = ruling_text.setting_hint(self.words, draft.game, name, knob.doc)
 
         def put(value: float | str) -> None:
             draft.options[name] = value
@@ -155,25 +160,29 @@ class NewMatch(Dialog):
         if knob.choices == YES_NO:
             return Toggle(label, lambda: get() == "yes", lambda on: put("yes" if on else "no"), hint)
         if knob.choices:
-            return Selector(label, lambda: knob.choices, lambda: str(get()), put, hint, _choice)
+            return Selector(label, lambda: knob.choices, lambda: str(get()), put, hint, self._choice)
         steps = [f"{step}" for step in _LADDER if knob.lo <= step <= knob.hi]
         # What a number means that is none, such as no limit.
         return Selector(
             label, lambda: steps, lambda: f"{float(get()):g}", lambda step: put(float(step)), hint,
-            lambda step: say_or(f"option.{name}_{step}", step),
+            lambda step: self.words.say_or(f"option.{name}_{step}", step),
         )  # fmt: skip
 
     def _title(self, name: str) -> str:
         """The name of a table as its preset has it; that of the preset where it cannot be read."""
         table = self.draft.table_of(name)
         if name == TUNED and table is not None:
-            return say("match.tuned", table=ruling_text.table_title(table))
-        return ruling_text.preset_title(name, title_of(name) if table is None else table.title)
+            return self.words.say("match.tuned", table=ruling_text.table_title(self.words, table))
+        return ruling_text.preset_title(self.words, name, title_of(name) if table is None else table.title)
 
     def _breaker_name(self, breaker: int) -> str:
+        say = self.words.say
         if breaker == COIN:
             return say("match.coin")
         return say("match.lag") if breaker == LAG else self.names[breaker]
+
+    def _choice(self, value: str) -> str:
+        return self.words.say(f"choice.{value}")
 
     # What is chosen.
 
@@ -198,17 +207,9 @@ class NewMatch(Dialog):
         self.draft.breaks = breaks
 
 
-def _name_field(player: int, value: str) -> TextField:
+def _name_field(words: Words, player: int, value: str) -> TextField:
     name = _SETTINGS[player]
-    field = TextField(say(f"setting.{name}"), value)
-    field.hint = say(f"setting.{name}_hint")
-    field.instead = say("match.player", number=player + 1)
+    field = TextField(words.say(f"setting.{name}"), value)
+    field.hint = words.say(f"setting.{name}_hint")
+    field.instead = words.say("match.player", number=player + 1)
     return field
-
-
-def _game(name: str) -> str:
-    return ruling_text.title(name) if name else ""
-
-
-def _choice(value: str) -> str:
-    return say(f"choice.{value}")

@@ -15,7 +15,6 @@ from ..scene import Scene
 from ..widgets.list_row import ListRow
 from ..widgets.widget import Widget
 from ..wording.ruling_text import table_title, title
-from ..wording.words import say
 
 
 class TableList(ListPage):
@@ -23,7 +22,7 @@ class TableList(ListPage):
 
     def __init__(self, below: Scene, play: Play) -> None:
         self.play = play
-        super().__init__(below, lambda: say("menu.tables"))
+        super().__init__(below, lambda: below.words.say("menu.tables"))
 
     def entries(self) -> Sequence[Widget]:
         return [self._entry(name) for name in presets()]
@@ -34,8 +33,8 @@ class TableList(ListPage):
             table = load_table(name)
         except InputError as error:
             return ListRow(name, do, below=str(error))
-        games = ", ".join(title(game) for game in games_for(table) if game != PRACTICE)
-        return ListRow(table_title(table), do, below=games)
+        games = ", ".join(title(self.words, game) for game in games_for(table) if game != PRACTICE)
+        return ListRow(table_title(self.words, table), do, below=games)
 
     def _open(self, name: str) -> None:
         self.play.state.open_table(name)

@@ -14,8 +14,7 @@ from ..widgets.form import Form
 from ..widgets.widget import Button, Toggle, Widget
 from ..wording import ruling_text, shot_text
 from ..wording.keyboard import digit_of
-from ..wording.keys import action_of
-from ..wording.words import say
+from ..wording.words import Words
 from .calls import Calls
 
 # How wide a button of the strip of calls is, in units.
@@ -29,8 +28,9 @@ class CallStrip:
     `taken` is how much of the message's room it takes, in pixels.
     """
 
-    def __init__(self, calls: Calls) -> None:
+    def __init__(self, calls: Calls, words: Words) -> None:
         self.calls = calls
+        self.words = words
         self.form = Form([], margin=1)
         self.taken = 0
         self._moment: Moment | None = None
@@ -44,7 +44,7 @@ class CallStrip:
                 self.calls.forget()
             self._moment = now
         # Said anew in another language, too.
-        shown = (session.match.now, self.calls.pocket, self.calls.meant(session), say("referee.safety"))
+        shown = (session.match.now, self.calls.pocket, self.calls.meant(session), self.words.language)
         if shown != self._shown:
             self._shown = shown
             self.form.set_rows(self._rows(session))
@@ -63,7 +63,7 @@ class CallStrip:
             return True
         mod = getattr(event, "mod", 0)
         step = -1 if mod & pygame.KMOD_SHIFT else 1
-        action = action_of(event.key, mod)
+        action = self.words.keys.action_of(event.key, mod)
         if action == "call" and self.calls.pockets(session):
             self.calls.next_pocket(session, step)
             return True
@@ -129,6 +129,7 @@ class CallStrip:
         return [row[i : i + across] for i in range(0, len(row), across)]
 
     def _row(self, session: Session) -> list[Widget]:
+        say = self.words.say
         ask = session.ask
         row: list[Widget] = []
         calls = self.calls
@@ -143,17 +144,20 @@ class CallStrip:
         return [*row, *(self._option(session, option) for option in ask.options)]
 
     def _option(self, session: Session, key: str) -> Button:
-        return Button(ruling_text.option(key), lambda: session.choose(key), strong=session.ask.kind == CHOOSE)
+        label = ruling_text.option(self.words, key)
+        return Button(label, lambda: session.choose(key), strong=session.ask.kind == CHOOSE)
 
     def _called(self) -> str:
         """The ball and the pocket called, as far as they are, for a button."""
-        parts = [ruling_text.ball(self.calls.ball)] if self.calls.ball else []
-        parts += [shot_text.place_name(self.calls.pocket)] if self.calls.pocket else []
-        return ", ".join(parts) or say("referee.obvious")
+        parts = [ruling_text.ball(self.words, self.calls.ball)] if self.calls.ball else []
+        parts += [shot_text.place_name(self.words, self.calls.pocket)] if self.calls.pocket else []
+        return ", ".join(parts) or self.words.say("referee.obvious")
 
     def _ball_named(self, session: Session) -> str:
         """The button of the ball that is named, or is to be struck."""
+        say = self.words.say
         if session.ask.cues:
-            return say("referee.strikes", ball=ruling_text.ball(session.match.rules.spoken(session.cue.id)))
+            return say("referee.strikes", ball=ruling_text.ball(self.words, session.match.rules.spoken(session.cue.id)))
         ball = self.calls.ball
-        return say("referee.ball", ball=shot_text.ball_name(ball, session.cue.id) if ball else say("referee.aimed_at"))
+        named = shot_text.ball_name(self.words, ball, session.cue.id) if ball else say("referee.aimed_at")
+        return say("referee.ball", ball=named)

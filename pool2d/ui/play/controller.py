@@ -15,8 +15,7 @@ from ..scene import Scene
 from ..screen import Screen
 from ..stage.stage import Stage
 from ..stage.timeline import Timeline
-from ..wording.keys import KEYS, action_of, fine_step
-from ..wording.words import say
+from ..wording.keys import fine_step
 from .call_strip import CallStrip
 from .editing import Editing
 from .mouse import Mouse
@@ -39,8 +38,8 @@ class Controller:
         self.state = state
         self.stage = stage
         self.scene = scene
-        self.timeline = Timeline()
-        self.call_strip = CallStrip(state.calls)
+        self.timeline = Timeline(state.words)
+        self.call_strip = CallStrip(state.calls, state.words)
         self.editing = Editing(state, stage)
         self.mouse = Mouse(state, stage, self.editing)
         self.positions = Positions(state, scene)
@@ -166,12 +165,12 @@ class Controller:
 
     def _key(self, event: pygame.event.Event) -> bool:
         """The keys, by the names of their actions."""
-        if event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
+        if event.type == pygame.KEYUP and self.state.words.keys.action_of(event.key, 0) == "fast":
             self._fast_forward(False)
         if event.type != pygame.KEYDOWN:
             return event.type == pygame.KEYUP
         state, mod = self.state, getattr(event, "mod", 0)
-        action = action_of(event.key, mod) or ""
+        action = self.state.words.keys.action_of(event.key, mod) or ""
         if state.playback is None and (action in _ARROWS or action in state.hands.keys):
             state.hands.armed = True
         if state.held is not None and action in _ARROWS:
@@ -215,7 +214,7 @@ class Controller:
             state.strike(hands.aim.speed)
         else:
             hands.armed = True
-            state.messages.show(lambda: say("play.armed", key=KEYS.shown("strike")))
+            state.messages.show(lambda: self.state.words.say("play.armed", key=self.state.words.key("strike")))
 
     def _cancel(self) -> None:
         state, busy = self.state, self.state.hands.busy
@@ -242,6 +241,7 @@ class Controller:
             self.state.playback.fast = fast
 
     def _next_guide(self) -> None:
+        say = self.state.words.say
         show = self.state.show
         show.level = (show.level + 1) % len(GUIDES)
         self.state.messages.show(lambda: say("play.guide", level=say(f"choice.{GUIDES[show.level]}")))
@@ -252,13 +252,13 @@ class Controller:
             return
         if self.tuning is None:
             aimed = state.hands.aim.shot(state.session.cue.id)
-            self._panel = TuningPanel(Tuning(state.session, aimed), self._ask_name, state.open_table)
+            self._panel = TuningPanel(Tuning(state.session, aimed), state.words, self._ask_name, state.open_table)
         else:
             self._panel = None
 
     def _ask_name(self) -> None:
         def saved(path: Path) -> None:
-            self.state.messages.show(lambda: say("play.saved", path=path))
+            self.state.messages.show(lambda: self.state.words.say("play.saved", path=path))
 
         self.state.go_to(ask_to_save(self.scene, self.state.session.table, saved))
 

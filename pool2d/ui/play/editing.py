@@ -15,11 +15,9 @@ from ...errors import InputError
 from ...game import arranging
 from ...physics.values import Ball
 from ..stage.stage import Stage
-from ..wording.keys import KEYS
 from ..wording.shot_text import ball_name, begun
-from ..wording.words import say
 from .in_hand import Grip, Pos
-from .messages import Words
+from .messages import Message
 from .state import PlayState
 
 _LEFT, _RIGHT = 1, 3
@@ -35,6 +33,7 @@ class Editing:
 
     def __init__(self, state: PlayState, stage: Stage) -> None:
         self.state = state
+        self.words = state.words
         self.stage = stage
         self.keys: dict[str, Callable[[], None]] = {
             "next_ball": self.next_ball,
@@ -68,7 +67,7 @@ class Editing:
         in_hand.put_back()
         # What the rules gave is not given again.
         in_hand.given_at = self.state.session.match.now
-        self._say(lambda: say("edit.put_back"))
+        self._say(lambda: self.words.say("edit.put_back"))
         return True
 
     def _press(self, pos: Pos, button: int) -> bool:
@@ -135,12 +134,12 @@ class Editing:
     def _refuse(self) -> None:
         """Tell why a ball may not stand where it was let go, and put it back where it came from a place."""
         state = self.state
-        why = state.in_hand.refused(state.session)
+        why = state.in_hand.refused(state.session, self.words)
         if state.session.in_hand:
             self._say(lambda: why)
         else:
             self.state.in_hand.put_back()
-            self._say(lambda: f"{why} {say('edit.put_back')}")
+            self._say(lambda: f"{why} {self.words.say('edit.put_back')}")
 
     # By keyboard.
 
@@ -149,7 +148,7 @@ class Editing:
         state = self.state
         balls = [ball.id for ball in state.session.layout.on_table() if self._may_move(ball.id)]
         if state.playback is not None or not balls:
-            self._say(lambda: say("edit.none"))
+            self._say(lambda: self.words.say("edit.none"))
             return
         at = balls.index(state.in_hand.ball) + 1 if state.in_hand.ball in balls else 0
         self._hold(balls[at % len(balls)])
@@ -161,7 +160,7 @@ class Editing:
             return
         balls = arranging.missing(session.table, session.layout)
         if not balls:
-            self._say(lambda: say("edit.all_there"))
+            self._say(lambda: self.words.say("edit.all_there"))
             return
         held = state.in_hand.ball
         ball = balls[(balls.index(held) + 1) % len(balls)] if held in balls else balls[0]
@@ -178,7 +177,7 @@ class Editing:
         """Take the ball that is held off the table."""
         ball = self.state.in_hand.ball
         if not ball:
-            self._say(lambda: say("edit.hold_first", key=KEYS.shown("next_ball")))
+            self._say(lambda: self.words.say("edit.hold_first", key=self.words.key("next_ball")))
         elif self.state.may_arrange():
             self._take_off(ball)
 
@@ -199,12 +198,13 @@ class Editing:
     # What all of them do.
 
     def _hold(self, ball: str, at: tuple[float, float] | None = None) -> None:
+        say = self.words.say
         state = self.state
         state.drop()
         state.in_hand.take(ball, at)
         state.hands.keep_aim()
-        name = ball_name(ball, state.session.table.furniture.cue)
-        place, off = KEYS.shown("strike"), KEYS.shown("remove_ball")
+        name = ball_name(self.words, ball, state.session.table.furniture.cue)
+        place, off = self.words.key("strike"), self.words.key("remove_ball")
         if state.mode.may_arrange:
             self._say(lambda: say("edit.held", ball=name, place=place, off=off))
         else:
@@ -212,14 +212,14 @@ class Editing:
 
     def _take_off(self, ball: str) -> None:
         session = self.state.session
-        name = ball_name(ball, session.table.furniture.cue)
+        name = ball_name(self.words, ball, session.table.furniture.cue)
         if ball in session.layout and self.state.arrange(session.layout.without(ball)):
-            self._say(lambda: say("edit.taken_off", ball=name, undo=KEYS.shown("undo")))
+            self._say(lambda: self.words.say("edit.taken_off", ball=name, undo=self.words.key("undo")))
         self.state.in_hand.put_back()
 
     def _may_move(self, ball: str) -> bool:
         session = self.state.session
         return self.state.mode.may_arrange or (session.movable and ball == session.cue.id)
 
-    def _say(self, words: Words) -> None:
-        self.state.messages.show(lambda: begun(words()))
+    def _say(self, message: Message) -> None:
+        self.state.messages.show(lambda: begun(message()))

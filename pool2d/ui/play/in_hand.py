@@ -8,7 +8,7 @@ from ...game.match import Moment
 from ...game.rules.spotting import KITCHEN, D, within
 from ...game.session import Session
 from ...physics.values import Ball
-from ..wording.words import say
+from ..wording.words import Words
 
 Point = tuple[float, float]
 Pos = tuple[int, int]
@@ -81,8 +81,9 @@ class InHand:
         radius = session.table.body_of(ball)[0]
         return session.table.has_room(ball.x, ball.y, radius, session.layout, ignore=ball.id)
 
-    def refused(self, session: Session) -> str:
+    def refused(self, session: Session, words: Words) -> str:
         """Why it may not stand where it is held."""
+        say = words.say
         ball, where = self.held(session), session.ask.where
         if ball is None or not self._by_rules(session) or within(session.table, where, ball.x, ball.y):
             return say("play.no_room")

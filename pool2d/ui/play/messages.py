@@ -5,46 +5,46 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-Words = Callable[[], str]
+Message = Callable[[], str]
 
-# How long a notice is shown before the standing words come back, s.
+# How long a notice is shown before the standing message comes back, s.
 _READ = 4.0
 
 
 class Messages:
-    """Words are asked for anew for every picture, as the language may change.
+    """Messages are asked for anew for every picture, as the language may change.
 
-    `standing` gives the words that are shown where there are no others, or None where nothing stands. `warning` stays
+    `standing` gives the one that is shown where there is no other, or None where nothing stands. `warning` stays
     until what it warns of is mended, and hides all else.
     """
 
-    def __init__(self, standing: Callable[[], Words | None]) -> None:
+    def __init__(self, standing: Callable[[], Message | None]) -> None:
         self.standing = standing
         self.warning = ""
-        self._words: Words = _silence
+        self._message: Message = _silence
         self._age = math.inf
 
     @property
     def text(self) -> str:
         """What is said at present; empty where nothing is."""
-        return self._words()
+        return self._message()
 
     @property
     def settled(self) -> bool:
         """Whether nothing else is going to be said by itself."""
         standing = self.standing()
-        return standing is None or self._words == standing
+        return standing is None or self._message == standing
 
-    def show(self, words: Words) -> None:
-        """Say this until something else is said, or until it has been read where words stand."""
-        self._words, self._age = words, 0.0
+    def show(self, message: Message) -> None:
+        """Say this until something else is said, or until it has been read where one stands."""
+        self._message, self._age = message, 0.0
 
     def say(self, text: str) -> None:
         """Show a text that is in no language, or in one for good, such as an error's."""
         self.show(lambda: text)
 
     def clear(self) -> None:
-        """Go back to the standing words at once."""
+        """Go back to the standing message at once."""
         self.show(self.standing() or _silence)
 
     def update(self, dt: float) -> None:
@@ -52,7 +52,7 @@ class Messages:
         self._age += dt
         standing = self.standing()
         if self._age > _READ and standing is not None:
-            self._words = standing
+            self._message = standing
 
 
 def _silence() -> str:

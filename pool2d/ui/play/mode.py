@@ -11,8 +11,8 @@ from ...physics.rollout import Rollout
 from ...physics.values import Shot
 from ..stage.playback import Playback
 from ..wording import ruling_text
-from ..wording.words import say
-from .messages import Words
+from ..wording.words import Words
+from .messages import Message
 
 
 class Mode:
@@ -23,21 +23,22 @@ class Mode:
     """
 
     may_arrange = False
-    no_undo: Words | None = None
+    no_undo: Message | None = None
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, words: Words) -> None:
         self.session = session
+        self.words = words
         self.keys: Mapping[str, Callable[[], None]] = {}
 
     # What is said.
 
     @property
-    def standing(self) -> Words | None:
+    def standing(self) -> Message | None:
         """What is said once other things have been read; None where nothing is."""
         return None
 
     @property
-    def welcome(self) -> Words:
+    def welcome(self) -> Message:
         """What is said first."""
         raise NotImplementedError
 
@@ -46,6 +47,7 @@ class Mode:
 
         `pocketed` are the balls that have fallen so far in the shot that is shown; None where none is.
         """
+        say = self.words.say
         number, left = self.session.strokes + 1, self.session.left
         if pocketed is not None:
             # What a shot leads to is not told before it is seen.
@@ -53,7 +55,7 @@ class Mode:
             left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(pocketed)
         note = f"{say('play.shot', number=number)}   \N{MIDDLE DOT}   {say('play.left', count=left)}"
         table = self.session.table
-        title = ruling_text.table_title(table)
+        title = ruling_text.table_title(self.words, table)
         return say("play.tuned", table=title) if table.set or table.conditions else title, note
 
     @property
@@ -67,7 +69,7 @@ class Mode:
         """Play a shot; raises InputError and BudgetError as the session does."""
         return self.session.play(shot, call)
 
-    def at_rest(self, shown: Playback) -> Words | None:
+    def at_rest(self, shown: Playback) -> Message | None:
         """Do what follows on a shot that has been seen; what is to be said of it, None for what is said already."""
         return self.standing
 

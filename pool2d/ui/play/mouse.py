@@ -7,7 +7,6 @@ import pygame
 from ...game.rules import AIM, OVER
 from ..stage.stage import Stage
 from ..wording.keys import fine_step
-from ..wording.words import say
 from .editing import Editing
 from .state import PlayState, Wish
 
@@ -80,10 +79,10 @@ class Mouse:
     def put_down(self) -> None:
         """Let go of the cue without a stroke."""
         if self.state.hands.pull is not None:
-            self.state.messages.show(lambda: say("play.put_down"))
+            self.state.messages.show(lambda: self.state.words.say("play.put_down"))
         self.state.hands.put_down()
 
     def place(self) -> None:
         """Put down the ball that is held, or say why it may not stand there."""
         if not self.editing.place():
-            self.state.messages.say(self.state.in_hand.refused(self.state.session))
+            self.state.messages.say(self.state.in_hand.refused(self.state.session, self.state.words))

@@ -20,6 +20,7 @@ from ..frame import Frame
 from ..scene import Scene
 from ..screen import Screen
 from ..stage.stage import Stage
+from ..wording.words import Words
 from . import play_view
 from .controller import Controller
 from .modes.drill_mode import DrillMode
@@ -40,7 +41,8 @@ class Play(Scene):
     `paused` gives what opens where Esc finds nothing to put away, `ended` what opens once the frame is over.
     """
 
-    def __init__(self, session: Session, sounds: Sounds | None = None) -> None:
+    def __init__(self, session: Session, words: Words, sounds: Sounds | None = None) -> None:
+        self.words = words
         self.sounds = sounds or Sounds()
         self.paused: Callable[[], Scene | None] = lambda: None
         self.ended: Callable[[], Scene | None] = lambda: None
@@ -125,7 +127,7 @@ class Play(Scene):
         (self._below[0] if self._below is not None else self._game).state.session.leave()
 
     def _set_out(self, session: Session) -> Game:
-        stage, state = Stage(session.table), PlayState(session, self.sounds)
+        stage, state = Stage(session.table), PlayState(session, self.words, self.sounds)
         return Game(state, Controller(state, stage, self), stage)
 
     def _leave_drill(self) -> None:

@@ -20,7 +20,6 @@ from ..stage.legend import draw_legend
 from ..stage.playback import Playback
 from ..stage.shot_view import in_motion
 from ..stage.stage import Stage
-from ..wording.words import manner, say
 from . import drill_marks
 from .call_words import called, off_target
 from .controller import Controller
@@ -69,10 +68,11 @@ def notes(state: PlayState, speed: float) -> str:
     if state.playback is not None or session.ask.kind != AIM or speed == 0.0:
         return ""
     aimed = state.first_hit(shot) if state.show.level or state.calls.pocket else ""
-    off = off_target(state.calls, session, aimed) if state.show.level else ""
+    off = off_target(state.words, state.calls, session, aimed) if state.show.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
-    slips = say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
-    return " ".join(filter(None, (called(state.calls, session, aimed), off, slips, hop_note(state, speed))))
+    slips = state.words.say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
+    said = called(state.words, state.calls, session, aimed)
+    return " ".join(filter(None, (said, off, slips, hop_note(state, speed))))
 
 
 def hop_note(state: PlayState, speed: float) -> str:
@@ -83,7 +83,7 @@ def hop_note(state: PlayState, speed: float) -> str:
     apex = hop(state.hands.aim.shot("", speed), state.session.table.body_of(state.session.cue)[1], knobs)[1]
     if apex < _HOP:
         return ""
-    return say("play.hop", height=f"{1000.0 * apex:.0f} mm")
+    return state.words.say("play.hop", height=f"{1000.0 * apex:.0f} mm")
 
 
 def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
@@ -145,14 +145,14 @@ def _vectors(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     elif shown is not None and shown.shot is not None and shown.time <= 0.0:
         start = shown.rollout.start[shown.shot.ball]
         vectors.draw_cue(surface, start, shown.shot, session.table, stage.view)
-    draw_legend(surface, stage.screen)
+    draw_legend(surface, state.words, stage.screen)
 
 
 def _bars_key(state: PlayState, controller: Controller, shown: Playback) -> Hashable:
     """What the bars tell while a shot runs."""
     stage, tuning = controller.stage, controller.tuning
-    messages = state.messages
-    drawn = (stage.screen, stage.style, state.pocketed, state.hands.aim, messages.text, messages.warning, manner())
+    said = (state.messages.text, state.messages.warning, state.words.manner)
+    drawn = (stage.screen, stage.style, state.pocketed, state.hands.aim, *said)
     # What stands to the players' credit comes with the moment, a drill's run with its stroke; it is told of a shot
     # only when it is seen again.
     error = tuning.error if tuning is not None else ""
@@ -167,7 +167,7 @@ def _bars(surface: pygame.Surface, state: PlayState, controller: Controller) -> 
         bars.draw_bars(surface, screen, "", "")
         # While a shot runs for the first time, what comes of it is not told yet.
         first = state.playback is not None and not state.playback.again
-        scoreboard.draw(surface, screen, session.match, session.match.history[-2 if first else -1])
+        scoreboard.draw(surface, state.words, screen, session.match, session.match.history[-2 if first else -1])
     controller.stage.tray(surface, state.pocketed)
     if session.ask.kind != CHOOSE or state.playback is not None:
         struck = state.playback.shot if state.playback is not None else None
@@ -175,7 +175,7 @@ def _bars(surface: pygame.Surface, state: PlayState, controller: Controller) -> 
         if struck is not None:
             # The pointer that moves meanwhile aims at nothing yet.
             aim, speed = replace(aim, angle=struck.angle), struck.speed
-        bars.draw_controls(surface, screen, aim, speed, session.table.knobs.cue.tip_friction)
+        bars.draw_controls(surface, state.words, screen, aim, speed, session.table.knobs.cue.tip_friction)
     wrong = (controller.tuning.error if controller.tuning is not None else "") or state.messages.warning
     message = wrong or f"{state.messages.text} {notes(state, hands.speed)}".strip()
     taken = controller.call_strip.taken if state.playback is None else 0

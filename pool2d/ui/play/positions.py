@@ -12,8 +12,6 @@ from ...table.scenario import Scenario, scenario_of
 from ..dialogs.position_list import PositionList, ask_for_name
 from ..scene import Scene
 from ..widgets import clipboard
-from ..wording.keys import KEYS
-from ..wording.words import say
 from .state import PlayState
 
 
@@ -22,6 +20,7 @@ class Positions:
 
     def __init__(self, state: PlayState, scene: Scene) -> None:
         self.state = state
+        self.words = state.words
         self.scene = scene
         self.keys: dict[str, Callable[[], None]] = {
             "same_shot": self.same_shot,
@@ -35,14 +34,16 @@ class Positions:
 
     def same_shot(self) -> None:
         """Put the balls back as they were before the last stroke, and aim it again."""
+        say = self.words.say
         last = arranging.latest(self.state.session)
         if last is None:
             self.state.messages.show(lambda: say("play.no_shot"))
         elif self.state.may_arrange() and self.state.arrange(*last):
-            self.state.messages.show(lambda: say("edit.same_shot", key=KEYS.shown("strike")))
+            self.state.messages.show(lambda: say("edit.same_shot", key=self.words.key("strike")))
 
     def mirror(self, ends: bool = False) -> None:
         """Change over the sides of the table, or its ends, and the aim with them."""
+        say = self.words.say
         session = self.state.session
         if not self.state.may_arrange():
             return
@@ -57,6 +58,7 @@ class Positions:
 
     def copy(self) -> None:
         """Copy the position, with what is aimed, as a line of text."""
+        say = self.words.say
         session = self.state.session
         text = write(session.layout, self.state.hands.aim.shot(session.cue.id), session.table)
         copied = clipboard.put(text)
@@ -64,6 +66,7 @@ class Positions:
 
     def paste(self) -> None:
         """Set up the position that has been copied."""
+        say = self.words.say
         text = clipboard.get()
         if text is None:
             self.state.messages.show(lambda: say("edit.no_clipboard"))
@@ -85,7 +88,7 @@ class Positions:
 
         def keep(name: str) -> None:
             path = saved_positions.save(name, session.table, session.layout, shot)
-            self.state.messages.show(lambda: say("play.saved", path=path))
+            self.state.messages.show(lambda: self.words.say("play.saved", path=path))
 
         self.state.go_to(ask_for_name(self.scene, keep))
 
@@ -112,7 +115,7 @@ class Positions:
         """Set up a position by name; returns what is wrong with it, or nothing. Raises InputError for its file."""
         if not self.load(saved_positions.load(name)):
             return self.state.messages.text
-        self.state.messages.show(lambda: say("edit.opened", name=name))
+        self.state.messages.show(lambda: self.words.say("edit.opened", name=name))
         return ""
 
     def _here(self, position: Position) -> Position:

@@ -21,7 +21,7 @@ from ..stage.playback import Playback
 from ..stage.show import Show
 from ..stage.shown_balls import BallHistory, ShownBalls
 from ..wording import ruling_text, shot_text
-from ..wording.words import say
+from ..wording.words import Words
 from .calls import Calls
 from .foresight import Foresight
 from .hands import Hands
@@ -47,12 +47,14 @@ class Wish(Enum):
 class PlayState:
     """A session as it is played, without a window.
 
-    While `playback` is set, its shot is shown. `wish` is the scene that is to come next, None for this one. It has
-    more methods than most classes, as it is the one place where what hands, panels and menus do to a game is done.
+    While `playback` is set, its shot is shown. `wish` is the scene that is to come next, None for this one. It has more
+    attributes and methods than most classes, as it is the one place where what hands, panels and menus do to a game is
+    done.
     """
 
-    def __init__(self, session: Session, sounds: Sounds) -> None:
+    def __init__(self, session: Session, words: Words, sounds: Sounds) -> None:
         self.session = session
+        self.words = words
         self.sounds = sounds
         self.playback: Playback | None = None
         self.hands = Hands()
@@ -119,13 +121,13 @@ class PlayState:
             self.messages.say(str(error))
             return
         self.run(Playback(rollout, shot, cue_motion.lead(drawn, self.show.effects)))
-        self.messages.show(lambda: say("play.miscue") if shot_text.miscued(rollout) else "")
+        self.messages.show(lambda: self.words.say("play.miscue") if shot_text.miscued(rollout) else "")
 
     def replay(self) -> None:
         """Show the last shot again."""
         last = self.session.rollout
         if last is None:
-            self.messages.show(lambda: say("play.no_shot"))
+            self.messages.show(lambda: self.words.say("play.no_shot"))
         elif self.playback is None:
             self.hands.put_down()
             shown = Playback(last, self.session.shot, cue_motion.lead(False, self.show.effects), again=True)
@@ -199,6 +201,7 @@ class PlayState:
 
     def undo(self) -> None:
         """Take back what was done last."""
+        say = self.words.say
         if self.mode.no_undo is not None:
             self.messages.show(self.mode.no_undo)
             return
@@ -209,6 +212,7 @@ class PlayState:
 
     def redo(self) -> None:
         """Do again what was taken back last."""
+        say = self.words.say
         self.drop()
         redone = self.session.redo()
         self.messages.show(lambda: say("play.redone") if redone else say("play.nothing_to_redo"))
@@ -221,13 +225,13 @@ class PlayState:
         self.drop()
         self.session.rack(random.randrange(1 << 30))
         self.hands.face(self.session.cue, self.session.layout)
-        self.messages.show(lambda: say("play.new_rack"))
+        self.messages.show(lambda: self.words.say("play.new_rack"))
 
     def open_table(self, name: str) -> None:
         """Go over to another preset, with a new rack; raises InputError."""
         self.take_table(load_table(name))
         table = self.session.table
-        self.messages.show(lambda: say("play.new_table", table=ruling_text.table_title(table)))
+        self.messages.show(lambda: self.words.say("play.new_table", table=ruling_text.table_title(self.words, table)))
 
     def take_table(self, table: Table, layout: Layout | None = None) -> None:
         """Go over to a table, with a new rack or these balls; raises InputError, changing nothing."""
@@ -240,12 +244,12 @@ class PlayState:
         """Play on with other parameters; raises InputError where the balls do not fit."""
         self.session.change_table(table)
         self.playback = None
-        self.messages.show(lambda: say("play.file_changed"))
+        self.messages.show(lambda: self.words.say("play.file_changed"))
 
     def may_arrange(self) -> bool:
         """Whether the mode leaves balls and table to the player; where it does not, that is said."""
         if not self.mode.may_arrange:
-            self.messages.show(lambda: say("play.practice_only"))
+            self.messages.show(lambda: self.words.say("play.practice_only"))
         return self.mode.may_arrange
 
     def arrange(self, layout: Layout, shot: Shot | None = None) -> bool:
@@ -285,5 +289,5 @@ class PlayState:
 def _mode_of(state: PlayState) -> Mode:
     """How a session is played that is no drill's."""
     if state.session.is_practice:
-        return PracticeMode(state.session)
-    return MatchMode(state.session, state.calls, state.in_hand)
+        return PracticeMode(state.session, state.words)
+    return MatchMode(state.session, state.words, state.calls, state.in_hand)

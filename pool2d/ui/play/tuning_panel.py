@@ -16,7 +16,7 @@ from ..widgets.form import Form
 from ..widgets.inputs import ListBox, Selector, Slider
 from ..widgets.widget import Button, Heading, Tabs, Widget
 from ..wording.ruling_text import preset_title, table_title
-from ..wording.words import number, say, say_or, unit
+from ..wording.words import Words
 from .tuning import NOTHING, Tuning
 
 # The panel's pages, and the knobs on each by the beginning of their names.
@@ -36,8 +36,11 @@ class TuningPanel:
     `save` asks for a name to save the table by, `go_to` goes over to another preset.
     """
 
-    def __init__(self, tuning: Tuning, save: Callable[[], None], go_to: Callable[[str], None]) -> None:
+    def __init__(
+        self, tuning: Tuning, words: Words, save: Callable[[], None], go_to: Callable[[str], None]
+    ) -> None:  # fmt: skip
         self.tuning = tuning
+        self.words = words
         self.page = "cloth"
         self._save = save
         self._go_to = go_to
@@ -74,7 +77,7 @@ class TuningPanel:
     def go(self) -> None:
         """Leave this table for the chosen one."""
         if self.chosen not in presets():
-            self.tuning.error = say("tuning.choose")
+            self.tuning.error = self.words.say("tuning.choose")
             return
         try:
             self._go_to(self.chosen)
@@ -90,6 +93,7 @@ class TuningPanel:
 
     def fill(self) -> None:
         """Put the open page on the panel, in the language of the moment."""
+        say = self.words.say
         rows: list[list[Widget]] = [
             [Heading(lambda: say("tuning.title"), theme.TEXT, large=True)],
             [Heading(self._summary)],
@@ -107,6 +111,7 @@ class TuningPanel:
 
     def _others(self) -> list[list[Widget]]:
         """What is laid over the preset, and what it is compared with."""
+        say = self.words.say
         return [
             [
                 Selector(
@@ -115,7 +120,7 @@ class TuningPanel:
                     self._conditions,
                     self.tuning.condition,
                     say("tuning.conditions_hint"),
-                    _condition,
+                    self._condition,
                 )
             ],
             [
@@ -132,6 +137,7 @@ class TuningPanel:
 
     def _tables(self) -> list[list[Widget]]:
         """On the page of that name: the presets, to play on another."""
+        say = self.words.say
         if self.page != "table":
             return []
         return [
@@ -146,7 +152,7 @@ class TuningPanel:
         """The title of a preset; its file is read once as long as the panel is open."""
         if name not in self._titles:
             self._titles[name] = title_of(name)
-        return preset_title(name, self._titles[name])
+        return preset_title(self.words, name, self._titles[name])
 
     def _conditions(self) -> str:
         return ", ".join(self._table.conditions) or NOTHING
@@ -156,8 +162,9 @@ class TuningPanel:
         self.fill()
 
     def _widget(self, name: str, knob: Knob) -> Widget:
+        say = self.words.say
         label = say(f"knob.{name}")
-        doc = say_or(f"knob.{name}_hint", knob.doc)
+        doc = self.words.say_or(f"knob.{name}_hint", knob.doc)
         if knob.choices:
             return Selector(
                 label,
@@ -165,7 +172,7 @@ class TuningPanel:
                 lambda: str(self._value(name)),
                 lambda value: self.tuning.turn(name, value),
                 doc,
-                lambda value: say_or(f"choice.{value}", value),
+                lambda value: self.words.say_or(f"choice.{value}", value),
             )
         return Slider(
             label,
@@ -176,9 +183,10 @@ class TuningPanel:
             say(
                 "tuning.range",
                 doc=doc,
-                lo=number(knob.lo, "g"),
-                hi=f"{number(knob.hi, 'g')} {unit(knob.unit)}".rstrip(),
+                lo=self.words.number(knob.lo, "g"),
+                hi=self.words.quantity(knob.hi, "g", knob.unit),
             ),
+            lambda value: self.words.quantity(value, ".4g", knob.unit),
         )
 
     def _knobs(self) -> list[tuple[str, Knob, float | str]]:
@@ -192,15 +200,15 @@ class TuningPanel:
         return value
 
     def _summary(self) -> str:
+        say = self.words.say
         table = self._table
         changed = len(table.set)
-        parts = [table_title(table), *map(_condition, table.conditions)]
+        parts = [table_title(self.words, table), *map(self._condition, table.conditions)]
         return f"{', '.join(parts)}; {say('tuning.turned', count=changed) if changed else say('tuning.unturned')}"
 
     def _compared(self) -> str:
         return NOTHING if self.tuning.compared is None else self.tuning.compared.source
 
-
-def _condition(name: str) -> str:
-    """Conditions as they are told; one's own by their file's name."""
-    return say("tuning.usual") if name == NOTHING else say_or(f"condition.{name}", name)
+    def _condition(self, name: str) -> str:
+        """Conditions as they are told; one's own by their file's name."""
+        return self.words.say("tuning.usual") if name == NOTHING else self.words.say_or(f"condition.{name}", name)

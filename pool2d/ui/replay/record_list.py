@@ -18,7 +18,6 @@ from ..scene import Scene
 from ..widgets.list_row import ListRow
 from ..widgets.widget import Widget
 from ..wording.ruling_text import title
-from ..wording.words import say
 from .replay_scene import Replay
 
 
@@ -27,9 +26,10 @@ def open_replays(
     renewed: Callable[[], Scene] | None = None,
 ) -> Scene:  # fmt: skip
     """The player's records, the latest first, to look at one; Esc goes back to `below`, or what is `renewed`."""
+    say = below.words.say
 
     def watch(path: Path) -> Scene:
-        return Replay(RecordedShots(load(path, torn=True)), below, store, sounds)
+        return Replay(RecordedShots(load(path, torn=True)), below.words, below, store, sounds)
 
     def named() -> str:
         return say("replay.title") if records() else say("replay.none")
@@ -57,11 +57,12 @@ class RecordList(ListPage):
 
     def _entry(self, path: Path) -> Widget:
         do, throw = self.reporting(partial(self._open, path)), self.reporting(partial(self._throw, path))
+        sure = self.words.say("entry.sure")
         try:
             players, game, when = about(path)
         except (InputError, OSError, OverflowError, ValueError) as error:
-            return ListRow(path.stem, do, below=str(error), remove=throw)
-        return ListRow(players, do, note=title(game), below=when, remove=throw)
+            return ListRow(path.stem, do, below=str(error), remove=throw, sure=sure)
+        return ListRow(players, do, note=title(self.words, game), below=when, remove=throw, sure=sure)
 
     def _throw(self, path: Path) -> None:
         remove(path)

@@ -19,8 +19,7 @@ from ..scene import Scene
 from ..screen import Screen
 from ..stage.stage import Stage
 from ..stage.timeline import Timeline
-from ..wording.keys import action_of
-from ..wording.words import say
+from ..wording.words import Words
 from . import replay_view
 from .replay_state import ReplayState
 
@@ -40,13 +39,15 @@ class Replay(Scene):
     """
 
     def __init__(
-        self, shots: RecordedShots, below: Scene | None = None, store: Store | None = None, sounds: Sounds | None = None
-    ) -> None:
+        self, shots: RecordedShots, words: Words, below: Scene | None = None, store: Store | None = None,
+        sounds: Sounds | None = None,
+    ) -> None:  # fmt: skip
+        self.words = words
         store = store or Store()
         self.state = state = ReplayState(shots, store, sounds or Sounds())
         self.below = below
         self.stage = Stage(state.table)
-        self.timeline = Timeline()
+        self.timeline = Timeline(words)
         self._next: Scene | None = None
         self._keys: dict[str, Callable[[], None]] = {
             **self.stage.camera.keys,
@@ -80,9 +81,9 @@ class Replay(Scene):
     def handle(self, event: pygame.event.Event) -> Scene | None:
         if event.type == pygame.WINDOWFOCUSLOST:
             self.leave()
-        elif event.type == pygame.KEYUP and action_of(event.key, 0) == "fast":
+        elif event.type == pygame.KEYUP and self.words.keys.action_of(event.key, 0) == "fast":
             self._fast_forward(False)
-        elif event.type == pygame.KEYDOWN and action_of(event.key, getattr(event, "mod", 0)) == "quit":
+        elif event.type == pygame.KEYDOWN and self.words.keys.action_of(event.key, getattr(event, "mod", 0)) == "quit":
             return None
         elif not self.stage.camera.handle(event, pygame.key.get_mods()):
             self._hand(event)
@@ -102,7 +103,7 @@ class Replay(Scene):
             # What a hand has brought to its end stays there.
             self.state.playback.paused |= self.state.playback.kept and self.state.playback.ended
         elif event.type == pygame.KEYDOWN:
-            action = action_of(event.key, getattr(event, "mod", 0)) or ""
+            action = self.words.keys.action_of(event.key, getattr(event, "mod", 0)) or ""
             self._do.get(REPLAY_KEYS.get(event.key, ""), self._keys.get(action, _nothing))()
 
     def _open(self, scene: Scene) -> None:
@@ -111,6 +112,7 @@ class Replay(Scene):
 
     def _list(self) -> None:
         """Offer every shot, to go to one."""
+        say = self.words.say
 
         def take(at: int) -> Scene:
             self.state.go(at)
@@ -118,7 +120,7 @@ class Replay(Scene):
 
         self.state.play_all()
         shots = self.state.shots
-        lines = [replay_view.line(shots, shot) for shot in shots.played]
+        lines = [replay_view.line(self.words, shots, shot) for shot in shots.played]
         self._open(Pick(self, say("replay.shots"), lines, self.state.at, say("replay.show"), take))
 
     def _fast_forward(self, fast: bool) -> None:
@@ -138,7 +140,7 @@ class Replay(Scene):
 
     def draw(self, frame: Frame) -> None:
         self.stage.style = style_of(self.state.store.values)
-        replay_view.draw(frame, self.state, self.stage, self.timeline)
+        replay_view.draw(frame, self.words, self.state, self.stage, self.timeline)
 
 
 def _nothing() -> None:

@@ -20,11 +20,11 @@ from ..stage.timeline import Timeline
 from ..widgets.widget import plate
 from ..wording import ruling_text
 from ..wording.shot_text import ball_name, place_name
-from ..wording.words import say
+from ..wording.words import Words
 from .replay_state import ReplayState
 
 
-def draw(frame: Frame, state: ReplayState, stage: Stage, timeline: Timeline) -> None:
+def draw(frame: Frame, words: Words, state: ReplayState, stage: Stage, timeline: Timeline) -> None:
     """Draw the whole window, as it was laid out."""
     shown = state.playback
     surface, screen = frame.surface, stage.screen
@@ -36,9 +36,9 @@ def draw(frame: Frame, state: ReplayState, stage: Stage, timeline: Timeline) -> 
         vectors.draw(surface, shown.rollout.at(shown.time), stage.table, stage.view)
         if shown.shot is not None and shown.time <= 0.0:
             vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
-        draw_legend(surface, screen)
-    _upper_bar(surface, stage, state, timeline.hover)
-    said = caption(state)
+        draw_legend(surface, words, screen)
+    _upper_bar(surface, words, stage, state, timeline.hover)
+    said = caption(words, state)
     _caption(surface, screen, said)
     if state.show.geometry or state.show.vectors or said[0]:
         frame.cover()
@@ -61,7 +61,9 @@ def under(pos: tuple[int, int], screen: Screen) -> str:
     return next((action for action in ("earlier", "list", "later") if button(action, screen).collidepoint(pos)), "")
 
 
-def _upper_bar(surface: pygame.Surface, stage: Stage, state: ReplayState, pointer: tuple[int, int] | None) -> None:
+def _upper_bar(
+    surface: pygame.Surface, words: Words, stage: Stage, state: ReplayState, pointer: tuple[int, int] | None
+) -> None:  # fmt: skip
     screen, shot = stage.screen, state.shot
     unit, bar = screen.unit, screen.top
     surface.fill(theme.PANEL[:3], bar)
@@ -73,16 +75,16 @@ def _upper_bar(surface: pygame.Surface, stage: Stage, state: ReplayState, pointe
         possible = state.at > 0 if action == "earlier" else state.at + 1 < len(state.shots)
         if action != "list":
             _skip(surface, box, -1.0 if action == "earlier" else 1.0, theme.TEXT if possible else theme.EDGE)
-    told = say("replay.shot", number=state.at + 1, count=len(state.shots))
+    told = words.say("replay.shot", number=state.at + 1, count=len(state.shots))
     box = button("list", screen)
     text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
     left = button("later", screen).right + 2 * unit
-    title = text.fitted(ruling_text.title(shot.match.rules.name), screen.small, screen.tray.left - left)
+    title = text.fitted(ruling_text.title(words, shot.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
     stage.tray(surface, state.shown_balls.pocketed(shot.match))
     # Until a shot has come to its end the score is the one that it was played at.
     moment = shot.moment if state.playback.ended else shot.before
-    scoreboard.draw_beside(surface, screen, shot.match, moment, shot.moment.shooter)
+    scoreboard.draw_beside(surface, words, screen, shot.match, moment, shot.moment.shooter)
 
 
 def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.Color) -> None:
@@ -96,60 +98,60 @@ def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.C
 # What is said over the table's lower edge.
 
 
-def caption(state: ReplayState) -> tuple[str, bool]:
+def caption(words: Words, state: ReplayState) -> tuple[str, bool]:
     """What there is to say of the moment shown, and whether something is wrong."""
     shot, shown = state.shot, state.playback
     shots = state.shots
     if not shot.same:
-        return unlike(shot), True
+        return unlike(words, shot), True
     if shown.ended:
-        said = [say("replay.undone")] if shot.line in shots.undone else []
-        said += [say("replay.judged", why=say(f"since.{shot.found.why}"))] if shot.found is not None else []
-        return " ".join([*said, ruling_text.verdict(shot.moment, shot.match)]), False
-    if shown.time <= 0.0 and (said_before := called(shot)):
+        said = [words.say("replay.undone")] if shot.line in shots.undone else []
+        said += [words.say("replay.judged", why=words.say(f"since.{shot.found.why}"))] if shot.found is not None else []
+        return " ".join([*said, ruling_text.verdict(words, shot.moment, shot.match)]), False
+    if shown.time <= 0.0 and (said_before := called(words, shot)):
         return said_before, False
     if shots.fault is not None and state.at + 1 == len(shots):
         return str(shots.fault), True
     if shots.outdated and state.at == 0:
-        return say(f"since.preset_{shots.outdated}"), False
+        return words.say(f"since.preset_{shots.outdated}"), False
     return "", False
 
 
-def unlike(shot: RecordedShot) -> str:
+def unlike(words: Words, shot: RecordedShot) -> str:
     """What is said of a shot that does not roll as it was recorded."""
     if shot.found is None or shot.found.why == UNKNOWN:
-        return say("replay.differs")
-    return say("replay.unlike", why=say(f"since.{shot.found.why}"))
+        return words.say("replay.differs")
+    return words.say("replay.unlike", why=words.say(f"since.{shot.found.why}"))
 
 
-def line(shots: RecordedShots, shot: RecordedShot) -> str:
+def line(words: Words, shots: RecordedShots, shot: RecordedShot) -> str:
     """A shot in a list: its number, who played it, and what came of it."""
-    notes = ruling_text.verdict(shot.moment, shot.match)
+    notes = ruling_text.verdict(words, shot.moment, shot.match)
     name = shot.match.names[shot.moment.shooter]
-    back = f" ({say('replay.taken_back')})" if shot.line in shots.undone else ""
+    back = f" ({words.say('replay.taken_back')})" if shot.line in shots.undone else ""
     return f"{shot.number}   {name}{back}   {notes}".rstrip()
 
 
-def called(shot: RecordedShot) -> str:
+def called(words: Words, shot: RecordedShot) -> str:
     """What the player said before the shot; empty where nothing was."""
     stroke = shot.moment.action
     if not isinstance(stroke, Stroke) or stroke.call == Call():
         return ""
     call = stroke.call
-    ball = ball_name(call.ball, stroke.shot.ball) if call.ball else ""
-    pocket = place_name(call.pocket) if call.pocket else ""
-    what = [ball, pocket, say("replay.safety") * call.safety, say("replay.push") * call.push]
+    ball = ball_name(words, call.ball, stroke.shot.ball) if call.ball else ""
+    pocket = place_name(words, call.pocket) if call.pocket else ""
+    what = [ball, pocket, words.say("replay.safety") * call.safety, words.say("replay.push") * call.push]
     name = shot.match.names[shot.moment.shooter]
-    return say("replay.calls", player=name, what=", ".join(filter(None, what)))
+    return words.say("replay.calls", player=name, what=", ".join(filter(None, what)))
 
 
 def _caption(surface: pygame.Surface, screen: Screen, said: tuple[str, bool]) -> None:
     """A line or two over the table's lower edge."""
-    words, wrong = said
-    if not words:
+    told, wrong = said
+    if not told:
         return
     unit, size = screen.unit, screen.small
-    lines = text.wrap(words, size, screen.width * 3 // 4)
+    lines = text.wrap(told, size, screen.width * 3 // 4)
     pitch = text.font(size).get_linesize()
     width = max(text.font(size).size(line)[0] for line in lines) + 4 * unit
     box = pygame.Rect(0, 0, width, pitch * len(lines) + unit)

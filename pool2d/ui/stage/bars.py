@@ -13,7 +13,7 @@ from ...game.aim import MAX_ELEVATION, MAX_OFFSET, MAX_SPEED, Aim
 from ...physics.strike import miscue_limit
 from ..frame import Frame
 from ..screen import Screen
-from ..wording import words
+from ..wording.words import Words
 
 
 class CachedBars:
@@ -47,14 +47,17 @@ def draw_bars(surface: pygame.Surface, screen: Screen, title: str, note: str) ->
     text.draw(surface, note, screen.small, theme.TEXT, (screen.width - screen.unit * 2, y), (1.0, 0.5))
 
 
-def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: float, tip_friction: float) -> None:
+def draw_controls(
+    surface: pygame.Surface, words: Words, screen: Screen, aim: Aim, speed: float, tip_friction: float
+) -> None:  # fmt: skip
     """The ball diagram, the cue diagram and the speed."""
     surface.blit(_diagrams(screen, aim.side, aim.height, aim.elevation, miscue_limit(tip_friction)), screen.bottom)
     bar = screen.power
     radius = bar.height // 2
     y = screen.bottom.top + screen.unit * 2
     text.draw(surface, words.speed(speed), screen.large, theme.TEXT, (bar.left, y))
-    text.draw(surface, bearing(aim.angle), screen.small, theme.QUIET, (bar.right, y + screen.large // 3), (1.0, 0.0))
+    place = (bar.right, y + screen.large // 3)
+    text.draw(surface, bearing(words, aim.angle), screen.small, theme.QUIET, place, (1.0, 0.0))
     pygame.draw.rect(surface, theme.EDGE, bar, border_radius=radius)
     filled = bar.copy()
     filled.width = round(bar.width * min(1.0, speed / MAX_SPEED))
@@ -62,7 +65,7 @@ def draw_controls(surface: pygame.Surface, screen: Screen, aim: Aim, speed: floa
         pygame.draw.rect(surface, theme.ACCENT, filled, border_radius=radius)
 
 
-def bearing(angle: float) -> str:
+def bearing(words: Words, angle: float) -> str:
     """A direction in degrees as text, from 0 to below 360 also after rounding."""
     return words.number(round(angle, 2) % 360.0, ".2f") + "\N{DEGREE SIGN}"
 

@@ -7,21 +7,21 @@ import pygame
 from ...draw import pen, text, theme
 from ...draw.vectors import CUE, ROLL, SIDE, SPEED
 from ..screen import Screen
-from ..wording.words import say
+from ..wording.words import Words
 
 LEGEND = ((SPEED, "speed"), (ROLL, "roll"), (SIDE, "side"), (CUE, "cue"))
 
 
-def draw_legend(surface: pygame.Surface, screen: Screen) -> pygame.Rect:
+def draw_legend(surface: pygame.Surface, words: Words, screen: Screen) -> pygame.Rect:
     """Draw the legend at the lower left, above the bar; returns its rectangle, in pixels."""
     unit, size = screen.unit, screen.small
     pitch = text.font(size).get_linesize()
-    lines = [(color, say(f"vectors.{name}")) for color, name in LEGEND]
-    width = max(text.font(size).size(words)[0] for _, words in lines) + 4 * unit
+    lines = [(color, words.say(f"vectors.{name}")) for color, name in LEGEND]
+    width = max(text.font(size).size(name)[0] for _, name in lines) + 4 * unit
     plate = pygame.Surface((width, pitch * len(LEGEND) + unit), pygame.SRCALPHA)
     pygame.draw.rect(plate, theme.PANEL, plate.get_rect(), border_radius=unit * 3 // 4)
-    for i, (color, words) in enumerate(lines):
+    for i, (color, name) in enumerate(lines):
         y = unit / 2 + (i + 0.5) * pitch
         pen.line(plate, color, (unit, y), (unit * 5 / 2, y), unit / 4)
-        text.draw(plate, words, size, theme.TEXT, (unit * 13 / 4, y), (0.0, 0.5))
+        text.draw(plate, name, size, theme.TEXT, (unit * 13 / 4, y), (0.0, 0.5))
     return surface.blit(plate, (unit // 2, screen.bottom.top - plate.get_height() - unit))

@@ -13,8 +13,8 @@ from ...physics.values import EventKind
 from ...table.table import Table
 from ..screen import Screen
 from ..widgets.widget import plate
-from ..wording import keys, shot_text
-from ..wording.words import number, say
+from ..wording import shot_text
+from ..wording.words import Words
 from .playback import Playback
 
 Pos = tuple[int, int]
@@ -49,7 +49,8 @@ class Timeline:
     window.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, words: Words) -> None:
+        self.words = words
         self.hover: Pos | None = None
         self._scrubbing = False
         self._screen = Screen(1280, 720)
@@ -204,30 +205,30 @@ class Timeline:
         unit, size = self._screen.unit, self._screen.small
         left = self.button("leave").right + 2 * unit
         right = self.track.right
-        clock = f"{number(max(shown.time, 0.0), '.3f')} / {number(shown.end, '.2f')} s"
+        clock = f"{self.words.number(max(shown.time, 0.0), '.3f')} / {self.words.number(shown.end, '.2f')} s"
         cue = table.furniture.cue if shown.shot is None else shown.shot.ball
         y = self._screen.bottom.top + unit * 13 // 4
         pitch = text.font(size).get_linesize()
         place = text.draw(surface, clock, size, theme.TEXT, (right, y), (1.0, 0.0))
         button = self._under_pointer()
         if button:
-            hint = text.draw(surface, _hint(button), size, theme.QUIET, (right, y + pitch), (1.0, 0.0))
+            hint = text.draw(surface, _hint(self.words, button), size, theme.QUIET, (right, y + pitch), (1.0, 0.0))
             right = hint.left - 2 * unit
         if event is None:
             return
         color = COLORS.get(event.kind, theme.TEXT)
-        title = text.fitted(shot_text.title(event, cue), size, place.left - left - 2 * unit)
+        title = text.fitted(shot_text.title(self.words, event, cue), size, place.left - left - 2 * unit)
         name = text.draw(surface, title, size, color, (left, y))
-        numbers = text.fitted(shot_text.measures(event, table), size, place.left - name.right - 4 * unit)
+        numbers = text.fitted(shot_text.measures(self.words, event, table), size, place.left - name.right - 4 * unit)
         text.draw(surface, numbers, size, theme.TEXT, (name.right + 2 * unit, y))
-        balls = "    ".join(shot_text.change(event, ball, cue) for ball in event.balls)
+        balls = "    ".join(shot_text.change(self.words, event, ball, cue) for ball in event.balls)
         text.draw(surface, text.fitted(balls, size, right - left), size, theme.TEXT, (left, y + pitch))
 
 
-def _hint(action: str) -> str:
+def _hint(words: Words, action: str) -> str:
     """What a button does, and its key."""
     first = next(key for key, other in TIMELINE_KEYS.items() if other == action)
-    return say(f"timeline.{action}", key=keys.shown(first))
+    return words.say(f"timeline.{action}", key=words.chords(first))
 
 
 def _mark(surface: pygame.Surface, x: int, track: pygame.Rect, half: int, color: theme.Color) -> None:

@@ -9,7 +9,6 @@ import pygame
 
 from ...config.knobs import Knob
 from ...draw import pen, shapes, text, theme
-from ..wording import words
 from .widget import Widget, face, plate, scroll_mark, tone
 
 _BACK = "\N{SINGLE LEFT-POINTING ANGLE QUOTATION MARK}"
@@ -17,17 +16,21 @@ _ON = "\N{SINGLE RIGHT-POINTING ANGLE QUOTATION MARK}"
 
 
 class Slider(Widget):
-    """A number within a knob's range. Left and Right move it (Shift finely, Ctrl coarsely); Delete resets it."""
+    """A number within a knob's range. Left and Right move it (Shift finely, Ctrl coarsely); Delete resets it.
+
+    `shown` gives the text for a value.
+    """
 
     rows = 1.9
 
     def __init__(
         self, label: str, knob: Knob, get: Callable[[], float], put: Callable[[float], None],
-        reset: Callable[[], None], hint: str = "",
+        reset: Callable[[], None], hint: str = "", shown: Callable[[float], str] = str,
     ) -> None:  # fmt: skip
         super().__init__()
         self.label = label
         self.knob = knob
+        self.shown = shown
         self.get = get
         self.put = put
         self.reset = reset
@@ -72,8 +75,7 @@ class Slider(Widget):
         track, value = self._track(), self.get()
         top = self.rect.top + unit // 2
         color = theme.ACCENT if focused else theme.TEXT
-        shown = f"{words.number(value, '.4g')} {words.unit(self.knob.unit)}".rstrip()
-        told = text.draw(surface, shown, unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
+        told = text.draw(surface, self.shown(value), unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
         label = text.fitted(self.label, unit * 7 // 4, told.left - self.rect.left - unit)
         text.draw(surface, label, unit * 7 // 4, color, (self.rect.left, top))
         shapes.rounded(surface, track, theme.EDGE, track.height)

@@ -7,7 +7,6 @@ from collections.abc import Callable
 import pygame
 
 from ...draw import text, theme
-from ..wording.words import say
 from .widget import Button, face, plate, tone
 
 
@@ -15,17 +14,18 @@ class ListRow(Button):
     """A row that opens something when it is clicked, or by Enter.
 
     `remove`, where given, deletes that: on Delete or a click on the cross, the second time, the first asking to
-    confirm.
+    confirm by what `sure` asks.
     """
 
     def __init__(
         self, label: str, do: Callable[[], None], note: str = "", below: str = "",
-        remove: Callable[[], None] | None = None,
+        remove: Callable[[], None] | None = None, sure: str = "",
     ) -> None:  # fmt: skip
         super().__init__(label, do)
         self.note = note
         self.below = below
         self.remove = remove
+        self.sure = sure
         self.rows = 2.0 if below else 1.4
         self._asked = False
         self._cross = 0
@@ -59,7 +59,7 @@ class ListRow(Button):
         line = box.top + (box.height * 3 // 10 if self.below else box.height // 2)
         right = box.right - unit
         if self.remove is not None:
-            cross = say("entry.sure") if self._asked else "\N{MULTIPLICATION SIGN}"
+            cross = self.sure if self._asked else "\N{MULTIPLICATION SIGN}"
             color = theme.WARNING if self._asked else theme.TEXT if hovered else theme.QUIET
             right = text.draw(surface, cross, large, color, (right, line), (1.0, 0.5)).left - unit
             self._cross = self.rect.right - right

@@ -68,9 +68,6 @@ class Keyboard:
         return key if self.latin else self.codes.get(key, key)
 
 
-KEYBOARD = Keyboard()
-
-
 def digit_of(key: int) -> int:
     """The digit that a key presses, of the upper row or of the keypad; -1 where it is none."""
     return key - pygame.K_0 if pygame.K_0 <= key <= pygame.K_9 else _KEYPAD.get(key, -1)

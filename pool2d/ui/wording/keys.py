@@ -6,9 +6,7 @@ from collections.abc import Mapping
 
 import pygame
 
-from ...errors import InputError
-from . import words
-from .keyboard import KEYBOARD
+from .keyboard import Keyboard
 
 # A chord is a key's code, plus this where Ctrl is held.
 CTRL = 1 << 27
@@ -125,16 +123,26 @@ _RESERVED = (
 class Keymap:
     """Which chords do what: the defaults, with what the player has bound in their place.
 
-    `defaults` are those for the player's keyboard.
+    `defaults` are those for the player's `keyboard`.
     """
 
     def __init__(self) -> None:
+        self.keyboard = Keyboard()
         self.defaults = dict(DEFAULTS)
         self.chords = dict(DEFAULTS)
+        # The keys that are down.
+        self._down: set[int] = set()
 
-    def lay(self) -> None:
-        """Go by the keyboard as it is now."""
-        before, self.defaults = self.defaults, _defaults()
+    # What keys mean.
+
+    def read(self) -> None:
+        """Go by the layout that the system has now; there has to be a window."""
+        self.keyboard.read()
+        self._lay()
+
+    def _lay(self) -> None:
+        """Go by the keyboard as it is known now."""
+        before, self.defaults = self.defaults, _defaults(self.keyboard)
         for action in _PLACED:
             if self.chords[action] == before[action]:
                 self.chords[action] = self.defaults[action]
@@ -142,15 +150,30 @@ class Keymap:
     def understood(self, event: pygame.event.Event) -> pygame.event.Event:
         """An event as it is meant: a key of another alphabet is the one of ours in its place."""
         if event.type == pygame.KEYMAPCHANGED:
-            KEYBOARD.read()
-            self.lay()
+            self.read()
         if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
             return event
         place = getattr(event, "scancode", 0)
-        if KEYBOARD.saw(event.key, place):
-            self.lay()
-        key = KEYBOARD.meant(event.key, place, bound=self.owner(event.key) is not None)
+        if self.keyboard.saw(event.key, place):
+            self._lay()
+        key = self.keyboard.meant(event.key, place, bound=self.owner(event.key) is not None)
         return event if key == event.key else pygame.event.Event(event.type, {**event.dict, "key": key})
+
+    def idle(self, event: pygame.event.Event) -> bool:
+        """Take an event; whether it only tells that a key is held, of which nothing more is to come.
+
+        The system tells of a key that is held again and again, as if it were pressed anew.
+        """
+        if event.type == pygame.WINDOWFOCUSLOST:
+            self._down.clear()
+        elif event.type == pygame.KEYUP:
+            self._down.discard(event.key)
+        elif event.type == pygame.KEYDOWN:
+            held = event.key in self._down
+            self._down.add(event.key)
+            action = self.action_of(event.key, getattr(event, "mod", 0))
+            return held and event.key not in _MOVING and action not in REPEATED
+        return False
 
     def action_of(self, key: int, mod: int) -> str | None:
         """The action bound to a key, if any. With Ctrl held, a key that means nothing more means the same."""
@@ -160,6 +183,8 @@ class Keymap:
     def owner(self, chord: int) -> str | None:
         """The action that has a chord."""
         return next((action for action, chords in self.chords.items() if chord in chords), None)
+
+    # What is bound.
 
     def bind(self, action: str, *chords: int) -> None:
         """Do `action` by these chords alone, and nothing else by any of them."""
@@ -172,12 +197,6 @@ class Keymap:
         for action in actions or tuple(DEFAULTS):
             self.bind(action, *self.defaults[action])
 
-    def shown(self, *actions: str) -> str:
-        """The keys of actions, as people call them."""
-        if len(actions) > 1:
-            return (" / " if len(actions) == 2 else " ").join(shown(*self.chords[action][:1]) for action in actions)
-        return shown(*self.chords[actions[0]])
-
     def names(self) -> dict[str, list[str]]:
         """What differs from the defaults, as it is kept in the settings."""
         return {
@@ -186,8 +205,8 @@ class Keymap:
             if chords != self.defaults[action]
         }
 
-    def take(self, names: Mapping[str, tuple[str, ...]], source: str) -> list[InputError]:
-        """Bind what the settings say, in place of everything bound; returns what is wrong there.
+    def take(self, names: Mapping[str, tuple[str, ...]]) -> list[str]:
+        """Bind what the settings say, in place of everything bound; returns the actions whose entry is wrong.
 
         A wrong entry leaves its action with its default.
         """
@@ -201,25 +220,17 @@ class Keymap:
                 self.bind(action, *chords)
                 taken |= set(chords)
             else:
-                wrong.append(InputError(source, f"keys.{action}", list(said), words.say("options.keys.unknown")))
+                wrong.append(action)
         return wrong
 
 
-def _defaults() -> dict[str, tuple[int, ...]]:
-    """The defaults for the player's keyboard."""
-    placed = {action: KEYBOARD.codes[DEFAULTS[action][0]] for action in _PLACED}
+def _defaults(keyboard: Keyboard) -> dict[str, tuple[int, ...]]:
+    """The defaults for a keyboard."""
+    placed = {action: keyboard.codes[DEFAULTS[action][0]] for action in _PLACED}
     others = {chord for action, chords in DEFAULTS.items() if action not in _PLACED for chord in chords}
-    if not KEYBOARD.latin or others & set(placed.values()):
+    if not keyboard.latin or others & set(placed.values()):
         return dict(DEFAULTS)
     return {**DEFAULTS, **{action: (key,) for action, key in placed.items()}}
-
-
-KEYS = Keymap()
-
-
-def action_of(key: int, mod: int) -> str | None:
-    """The action bound to a key at present, if any."""
-    return KEYS.action_of(key, mod)
 
 
 def fine_step(mod: int) -> float:
@@ -239,36 +250,20 @@ def may_be_bound(chord: int) -> bool:
     return chord & ~CTRL not in _RESERVED
 
 
-def shown(*chords: int) -> str:
-    """Chords as people call them: "Space, Enter"."""
-    return ", ".join(map(_shown, chords)) or words.say("key.none")
-
-
 def rows() -> list[tuple[str, ...]]:
     """The actions, those together that the help tells together."""
     grouped = {action: group for group in TOGETHER for action in group}
     return list(dict.fromkeys(grouped.get(action, (action,)) for action in DEFAULTS))
 
 
-def _shown(chord: int) -> str:
-    given = KEYBOARD.given(chord & ~CTRL)
-    name = chr(given) if given != chord & ~CTRL else _plain(chord)
-    text = name.replace(" ", "_")
-    if words.known(f"key.{text}"):
-        said = words.say(f"key.{text}")
-    else:
-        said = name.upper() if len(name) <= 3 else name.capitalize()
-    return f"{words.say('key.ctrl')}+{said}" if chord & CTRL else said
-
-
-def _plain(chord: int) -> str:
-    """The name of a key; keys that only some keyboards have are known to SDL alone."""
-    key = chord & ~CTRL
+def key_name(key: int) -> str:
+    """The name of a key, without Ctrl; keys that only some keyboards have are known to SDL alone."""
     return pygame.key.name(key) or pygame.key.name(key, use_compat=False)
 
 
 def _name(chord: int) -> str:
-    return f"Ctrl+{_plain(chord)}" if chord & CTRL else _plain(chord)
+    name = key_name(chord & ~CTRL)
+    return f"Ctrl+{name}" if chord & CTRL else name
 
 
 def _chord(name: str) -> int:
@@ -277,22 +272,3 @@ def _chord(name: str) -> int:
         return pygame.key.key_code(name[5:] if ctrl else name) + (CTRL if ctrl else 0)
     except ValueError:
         return pygame.K_UNKNOWN
-
-
-class Presses:
-    """Which keys are down. The system tells of a key that is held again and again, as if it were pressed anew."""
-
-    def __init__(self) -> None:
-        self._down: set[int] = set()
-
-    def idle(self, event: pygame.event.Event) -> bool:
-        """Take an event; whether it only tells that a key is held, of which nothing more is to come."""
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self._down.clear()
-        elif event.type == pygame.KEYUP:
-            self._down.discard(event.key)
-        elif event.type == pygame.KEYDOWN:
-            held = event.key in self._down
-            self._down.add(event.key)
-            return held and event.key not in _MOVING and action_of(event.key, getattr(event, "mod", 0)) not in REPEATED
-        return False

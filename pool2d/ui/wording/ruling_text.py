@@ -7,6 +7,7 @@ Their English is their own: a catalogue has `game.<game>`, `ruling.<key>`, `opti
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from string import digits
 
 from ...game.drills.drill import Drill, Wording
@@ -15,79 +16,79 @@ from ...game.rules import GAMES, Note
 from ...game.rules import notes as rules
 from ...table.table import Table
 from .shot_text import ball_name, place_name
-from .words import language, say, say_or
+from .words import Words
 
 
-def note_text(note: Note, names: Sequence[str]) -> str:
+def note_text(words: Words, note: Note, names: Sequence[str]) -> str:
     """A note of a ruling as a sentence; `names` are the players'."""
-    return rules.say(note, names, _template(note.key), ball)
+    return rules.say(note, names, _template(words, note.key), partial(ball, words))
 
 
-def option(key: str) -> str:
+def option(words: Words, key: str) -> str:
     """What one of `Ask.options` is called."""
-    called = ball if key.startswith("group:") else place_name
-    return rules.label(key, _template("choice." + key.partition(":")[0]), called)
+    called = partial(ball if key.startswith("group:") else place_name, words)
+    return rules.label(key, _template(words, "choice." + key.partition(":")[0]), called)
 
 
-def title(game: str) -> str:
+def title(words: Words, game: str) -> str:
     """The title of a game."""
-    return say_or(f"game.{game}", GAMES[game].title)
+    return words.say_or(f"game.{game}", GAMES[game].title)
 
 
-def table_title(table: Table) -> str:
+def table_title(words: Words, table: Table) -> str:
     """What a table is called."""
-    return preset_title(table.source, table.title)
+    return preset_title(words, table.source, table.title)
 
 
-def preset_title(name: str, own: str) -> str:
+def preset_title(words: Words, name: str, own: str) -> str:
     """What the table of a preset is called; its own title, where the language has no other for it."""
-    return say_or(f"table.{name}", own)
+    return words.say_or(f"table.{name}", own)
 
 
-def setting(name: str) -> str:
+def setting(words: Words, name: str) -> str:
     """What is set by one of a game's options; what its values are called is `choice.<value>`."""
-    return say(f"option.{name}")
+    return words.say(f"option.{name}")
 
 
-def setting_hint(game: str, name: str, doc: str) -> str:
+def setting_hint(words: Words, game: str, name: str, doc: str) -> str:
     """What one of a game's options does; `doc` is what its knob says, in English."""
-    return say_or(f"option.{GAMES[game].options_type.home(name)}.{name}_hint", doc)
+    return words.say_or(f"option.{GAMES[game].options_type.home(name)}.{name}_hint", doc)
 
 
-def wording(drill: Drill) -> Wording:
+def wording(words: Words, drill: Drill) -> Wording:
     """A drill's name and text; in English, or what language it was written in, where it is not translated."""
-    own = drill.wording_in(language())
-    return Wording(say_or(f"drills.{drill.id}.name", own.name), say_or(f"drills.{drill.id}.text", own.text))
+    own = drill.wording_in(words.language)
+    return Wording(words.say_or(f"drills.{drill.id}.name", own.name), words.say_or(f"drills.{drill.id}.text", own.text))
 
 
-def missed(key: str) -> str:
+def missed(words: Words, key: str) -> str:
     """Why a stroke did not do what a drill wants, from `Standing.missed`."""
-    return say(f"drill.missed.{key}") if key else ""
+    return words.say(f"drill.missed.{key}") if key else ""
 
 
-def verdict(moment: Moment, match: Match) -> str:
+def verdict(words: Words, moment: Moment, match: Match) -> str:
     """What fell in a stroke of a match, and what the ruling says of it."""
     said = []
     report = moment.report
     if report is not None and report.call.push:
-        said.append(say("referee.pushed", player=match.names[moment.shooter]))
+        said.append(words.say("referee.pushed", player=match.names[moment.shooter]))
     # A struck ball falls without foul only where that is a point.
     fallen = () if report is None else report.potted if moment.ruling.foul else report.fallen
     if fallen:
-        said.append(say("referee.fell", balls=", ".join(ball(match.rules.spoken(one)) for one in fallen)))
+        said.append(words.say("referee.fell", balls=", ".join(ball(words, match.rules.spoken(one)) for one in fallen)))
     elif report is not None and not moment.ruling.foul and match.table.geometry.pockets:
-        said.append(say("referee.none_fell"))
+        said.append(words.say("referee.none_fell"))
     elif report is not None and not moment.ruling.foul and not any(moment.ruling.points):
-        said.append(say("referee.no_point"))
-    return " ".join([*said, *(note_text(note, match.names) for note in moment.ruling.notes)])
+        said.append(words.say("referee.no_point"))
+    return " ".join([*said, *(note_text(words, note, match.names) for note in moment.ruling.notes)])
 
 
-def _template(key: str) -> dict[str, str]:
-    return {key: say_or(f"ruling.{key}", rules.ENGLISH[key])}
+def _template(words: Words, key: str) -> dict[str, str]:
+    return {key: words.say_or(f"ruling.{key}", rules.ENGLISH[key])}
 
 
-def ball(name: str) -> str:
+def ball(words: Words, name: str) -> str:
     """What a ball is called in a sentence, as by the rules' `ball_name`: one of many alike has no number."""
     if name.isdigit():
-        return say("ball.numbered", number=name)
-    return ball_name("white" if name == "cue" else name.rstrip(digits), "cue")
+        return words.say("ball.numbered", number=name)
+    return ball_name(words, "white" if name == "cue" else name.rstrip(digits), "cue")

@@ -9,21 +9,20 @@ from ...physics.event import Event
 from ...physics.rollout import Rollout
 from ...physics.values import MISCUE, POCKETED, Ball
 from ...table.table import Table
-from .keys import KEYS
-from .words import known, number, say, say_or
+from .words import Words
 
 _STILL = 1e-6
 
 
-def title(event: Event, cue: str) -> str:
+def title(words: Words, event: Event, cue: str) -> str:
     """What happened, to which balls and where; `cue` is the cue ball."""
     if event.where == MISCUE:
-        return say("event.miscue")
-    balls = [ball_name(ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
-    where, every = place_name(event.where or ""), ", ".join(balls)
+        return words.say("event.miscue")
+    balls = [ball_name(words, ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
+    where, every = place_name(words, event.where or ""), ", ".join(balls)
     spins = event.kind == "rolling_resting" and any(ball.wz for ball in event.after.values())
     kind = "spins_on" if spins else event.kind
-    return begun(say(f"event.{kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
+    return begun(words.say(f"event.{kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
 
 
 def miscued(rollout: Rollout) -> bool:
@@ -31,29 +30,29 @@ def miscued(rollout: Rollout) -> bool:
     return any(event.where == MISCUE for event in rollout.events)
 
 
-def measures(event: Event, table: Table) -> str:
+def measures(words: Words, event: Event, table: Table) -> str:
     """When and where it happened, the throw of a ball by a ball, and how much of their energy the balls keep."""
     before, after = event.before, event.after
     x = sum(ball.x for ball in before.values()) / len(before)
     y = sum(ball.y for ball in before.values()) / len(before)
-    place = say("telling.place", x=number(x, ".3f"), y=number(y, ".3f"))
-    parts = [f"{number(event.t, '.3f')} s", place]
+    place = words.say("telling.place", x=words.number(x, ".3f"), y=words.number(y, ".3f"))
+    parts = [f"{words.number(event.t, '.3f')} s", place]
     angle = throw(event)
     if angle is not None:
-        parts.append(say("telling.throw", angle=number(abs(angle), ".1f") + "\N{DEGREE SIGN}"))
+        parts.append(words.say("telling.throw", angle=words.number(abs(angle), ".1f") + "\N{DEGREE SIGN}"))
     kept = energy_kept(event, table)
     if kept is not None and event.kind in ("ball_ball", "ball_cushion", "cluster"):
-        parts.append(say("telling.kept", percent=f"{100.0 * kept:.0f} %"))
+        parts.append(words.say("telling.kept", percent=f"{100.0 * kept:.0f} %"))
     return "   ".join(part for part in parts if after)
 
 
-def change(event: Event, ball: str, cue: str) -> str:
+def change(words: Words, event: Event, ball: str, cue: str) -> str:
     """A ball's speed and spin, before and after: along the cloth, and about the vertical (side)."""
     old, new = event.before[ball], event.after[ball]
-    told = say(
+    told = words.say(
         "telling.change",
-        ball=ball_name(ball, cue),
-        speed=number(_speed(old), ".2f"), speed_after=number(_speed(new), ".2f"),
+        ball=ball_name(words, ball, cue),
+        speed=words.number(_speed(old), ".2f"), speed_after=words.number(_speed(new), ".2f"),
         roll=f"{_roll(old):.0f}", roll_after=f"{_roll(new):.0f}",
         side=f"{old.wz:.0f}", side_after=f"{new.wz:.0f}",
     )  # fmt: skip
@@ -82,16 +81,16 @@ def energy_kept(event: Event, table: Table) -> float | None:
     return after / before if before > 0.0 else None
 
 
-def outcome(rollout: Rollout, cue: str) -> str:
+def outcome(words: Words, rollout: Rollout, cue: str) -> str:
     """What came of a shot: a scratch, a cleared table, the balls that fell; or nothing worth saying."""
     end = rollout.layout()
     fallen = [ball.id for ball in rollout.start.on_table() if end[ball.id].phase == POCKETED]
     if cue in fallen:
-        return say("outcome.scratch")
+        return words.say("outcome.scratch")
     if all(ball.id == cue for ball in end.on_table()):
-        return say("outcome.cleared", rack=KEYS.shown("rack"))
+        return words.say("outcome.cleared", rack=words.key("rack"))
     fallen.sort(key=lambda ball: (len(ball), ball))
-    return say("outcome.down", balls=", ".join(ball_name(ball, cue) for ball in fallen)) if fallen else ""
+    return words.say("outcome.down", balls=", ".join(ball_name(words, ball, cue) for ball in fallen)) if fallen else ""
 
 
 def _energy(ball: Ball, table: Table) -> float:
@@ -106,19 +105,19 @@ def _in_order(event: Event) -> tuple[str, str]:
     return (a, b) if _speed(event.before[a]) >= _speed(event.before[b]) else (b, a)
 
 
-def ball_name(ball: str, cue: str) -> str:
+def ball_name(words: Words, ball: str, cue: str) -> str:
     """What a ball is called: "cue ball", "red 6", or what its table calls it."""
     if ball == cue:
-        return say("ball.its_own")
+        return words.say("ball.its_own")
     color = ball.rstrip(digits)
-    return f"{say(f'ball.{color}')} {ball[len(color) :]}".rstrip() if known(f"ball.{color}") else ball
+    return f"{words.say(f'ball.{color}')} {ball[len(color) :]}".rstrip() if words.known(f"ball.{color}") else ball
 
 
-def place_name(name: str) -> str:
+def place_name(words: Words, name: str) -> str:
     """A cushion, a pocket or its jaw, by the words in its name; words that mean nothing stay."""
     place, _, jaw = name.partition(" ")
-    told = " ".join(say_or(f"place.{word}", word) for word in place.split("-"))
-    return say("telling.jaw", where=told) if jaw == "jaw" else f"{told} {jaw}".rstrip()
+    told = " ".join(words.say_or(f"place.{word}", word) for word in place.split("-"))
+    return words.say("telling.jaw", where=told) if jaw == "jaw" else f"{told} {jaw}".rstrip()
 
 
 def begun(sentence: str) -> str:

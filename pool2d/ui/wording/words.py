@@ -19,6 +19,7 @@ from ...config.assets import asset, assets
 from ...config.reader import read_toml
 from ...config.settings import SPEEDS
 from ...errors import InputError
+from .keys import CTRL, Keymap, key_name
 
 AUTO, ENGLISH = "auto", "en"
 
@@ -52,76 +53,100 @@ def catalogue(language: str) -> Catalogue:
     return Catalogue(language)
 
 
-class _Present:
-    """The language spoken, and the unit that speeds are told in."""
-
-    language = ENGLISH
-    unit = "m/s"
-
-
 def languages() -> list[str]:
     """Every language there is a catalogue for."""
     return [path.stem for path in assets("words", ".toml")]
 
 
-def speak(language: str) -> Sequence[InputError]:
-    """Say everything in this language from now on, and return what is wrong with its catalogue.
+class Words:
+    """What one window says: in a language, with speeds in a unit, and with the keys that the player has bound.
 
-    `auto` is the system's language; one without a catalogue is English.
+    The app has one, and whatever says anything has it from there.
     """
-    chosen = system_language() if language == AUTO else language
-    _Present.language = chosen if chosen in languages() else ENGLISH
-    return catalogue(_Present.language).complaints
+
+    def __init__(self) -> None:
+        self.keys = Keymap()
+        self.language = ENGLISH
+        self.speed_unit = "m/s"
+
+    def speak(self, language: str) -> Sequence[InputError]:
+        """Say everything in this language from now on, and return what is wrong with its catalogue.
+
+        `auto` is the system's language; one without a catalogue is English.
+        """
+        chosen = system_language() if language == AUTO else language
+        self.language = chosen if chosen in languages() else ENGLISH
+        return catalogue(self.language).complaints
+
+    @property
+    def manner(self) -> Hashable:
+        """What every text depends on besides what it tells: another manner, other texts."""
+        return self.language, self.speed_unit
+
+    def say(self, key: str, /, **values: object) -> str:
+        """A text with its places filled in; of `count`, where it is 1, the text `key.one` if there is one."""
+        if values.get("count") == 1 and self.known(key + ".one"):
+            key += ".one"
+        said = self._text(key)
+        # A text that is missing everywhere is still told apart by its key.
+        return key if said is None else string.Formatter().vformat(said, (), _Blanks(values))
+
+    def say_or(self, key: str, other: str) -> str:
+        """A text as it stands, its places unfilled; `other` where there is none of that key."""
+        return self._text(key) or other
+
+    def known(self, key: str) -> bool:
+        """Whether there is a text of that key."""
+        return self._text(key) is not None
+
+    def _text(self, key: str) -> str | None:
+        return catalogue(self.language).texts.get(key) or catalogue(ENGLISH).texts.get(key)
+
+    # Numbers.
+
+    def number(self, value: float, form: str) -> str:
+        """A number as the language writes it: `form` is as for `format`."""
+        return format(value, form).replace(".", self.say("number.point"))
+
+    def quantity(self, value: float, form: str, unit: str) -> str:
+        """A number with its unit, as the language writes both."""
+        return f"{self.number(value, form)} {self.say_or(f'unit.{unit}', unit)}".rstrip()
+
+    def speed(self, value: float) -> str:
+        """A speed, given in m/s, in the unit the player has chosen."""
+        unit = self.speed_unit
+        return f"{self.number(value * SPEEDS[unit], '.2f' if unit == 'm/s' else '.1f')} {unit}"
+
+    # Keys.
+
+    def key(self, *actions: str) -> str:
+        """The keys of actions, as people call them."""
+        if len(actions) > 1:
+            firsts = (self.chords(*self.keys.chords[action][:1]) for action in actions)
+            return (" / " if len(actions) == 2 else " ").join(firsts)
+        return self.chords(*self.keys.chords[actions[0]])
+
+    def chords(self, *chords: int) -> str:
+        """Chords as people call them: "Space, Enter"."""
+        return ", ".join(map(self._chord, chords)) or self.say("key.none")
+
+    def _chord(self, chord: int) -> str:
+        key = chord & ~CTRL
+        given = self.keys.keyboard.given(key)
+        name = chr(given) if given != key else key_name(key)
+        text = name.replace(" ", "_")
+        if self.known(f"key.{text}"):
+            said = self.say(f"key.{text}")
+        else:
+            said = name.upper() if len(name) <= 3 else name.capitalize()
+        return f"{self.say('key.ctrl')}+{said}" if chord & CTRL else said
 
 
-def language() -> str:
-    """The language spoken, by its two letters."""
-    return _Present.language
+class _Blanks(dict[str, object]):
+    """Values for places; a place without one is left standing."""
 
-
-def manner() -> Hashable:
-    """What every text depends on besides what it tells: another manner, other texts."""
-    return _Present.language, _Present.unit
-
-
-def tell_speeds_in(unit: str) -> None:
-    """Tell speeds in this unit from now on."""
-    _Present.unit = unit
-
-
-def say(key: str, /, **values: object) -> str:
-    """A text with its places filled in; of `count`, where it is 1, the text `key.one` if there is one."""
-    if values.get("count") == 1 and _text(key + ".one") is not None:
-        key += ".one"
-    said = _text(key)
-    # A text that is missing everywhere is still told apart by its key.
-    return key if said is None else string.Formatter().vformat(said, (), _Blanks(values))
-
-
-def known(key: str) -> bool:
-    """Whether there is a text of that key."""
-    return _text(key) is not None
-
-
-def say_or(key: str, other: str) -> str:
-    """A text as it stands, its places unfilled; `other` where there is none of that key."""
-    return _text(key) or other
-
-
-def number(value: float, form: str) -> str:
-    """A number as the language writes it: `form` is as for `format`."""
-    return format(value, form).replace(".", say("number.point"))
-
-
-def speed(value: float) -> str:
-    """A speed, given in m/s, in the unit the player has chosen."""
-    unit = _Present.unit
-    return f"{number(value * SPEEDS[unit], '.2f' if unit == 'm/s' else '.1f')} {unit}"
-
-
-def unit(name: str) -> str:
-    """A unit as the language writes it."""
-    return say_or(f"unit.{name}", name)
+    def __missing__(self, key: str) -> str:
+        return "{" + key + "}"
 
 
 def system_language() -> str:
@@ -137,13 +162,6 @@ def system_language() -> str:
     return (locale.getlocale()[0] or "")[:2].lower()
 
 
-class _Blanks(dict[str, object]):
-    """Values for places; a place without one is left standing."""
-
-    def __missing__(self, key: str) -> str:
-        return "{" + key + "}"
-
-
 def places(text: str) -> set[str]:
     """The names of the places in a text."""
     return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
@@ -154,7 +172,3 @@ def _fillable(text: str) -> bool:
         return all(re.fullmatch(r"[a-z_]+", name) for name in places(text))
     except ValueError:
         return False
-
-
-def _text(key: str) -> str | None:
-    return catalogue(_Present.language).texts.get(key) or catalogue(ENGLISH).texts.get(key)

@@ -128,7 +128,7 @@ def test_statistics_are_those_of_the_match(hand: Hand) -> None:
     session = playing(hand, race=2)
     session.play(Shot(speed=8.0))
     tallies = session.match.now.tallies
-    lines = {label: (mine, theirs) for label, mine, theirs in statistics(session.match)}
+    lines = {label: (mine, theirs) for label, mine, theirs in statistics(hand.app.words, session.match)}
     assert lines["Innings"] == ("1", "0")
     assert lines["Balls pocketed"] == (str(tallies[0].pots), "0")
     assert lines["Strokes that pocketed"][1] == "\N{EN DASH}"
@@ -141,12 +141,12 @@ def test_statistics_are_those_of_the_match(hand: Hand) -> None:
 )
 def test_points_in_a_row_are_called_as_the_game_calls_them(hand: Hand, game: str, table: str, said: str) -> None:
     session = playing(hand, race=1, game=game, table=table)
-    assert said in {label for label, _, _ in statistics(session.match)}
+    assert said in {label for label, _, _ in statistics(hand.app.words, session.match)}
 
 
 def test_without_pockets_the_average_is_told(hand: Hand) -> None:
     session = playing(hand, race=1, game="straight-rail", table="carom-10ft")
-    lines = {label for label, _, _ in statistics(session.match)}
+    lines = {label for label, _, _ in statistics(hand.app.words, session.match)}
     assert "Average" in lines and "Balls pocketed" not in lines
 
 

@@ -20,7 +20,7 @@ from pool2d.ui.app import App
 from pool2d.ui.menus.new_match import NewMatch
 from pool2d.ui.widgets.inputs import Selector
 from pool2d.ui.widgets.widget import Button, Toggle, Widget
-from pool2d.ui.wording import words
+from pool2d.ui.wording.words import languages
 
 from ..conftest import Hand
 
@@ -38,7 +38,6 @@ def guest(tmp_path: Path) -> Iterator[Hand]:
     hand.key(pygame.K_RETURN)
     yield hand
     app.close()
-    words.speak("en")
 
 
 def dialog(hand: Hand) -> NewMatch:
@@ -289,7 +288,7 @@ def test_a_number_that_stands_for_none_is_told_in_words(guest: Hand) -> None:
     assert innings.shown(innings.get()) == "1"
 
 
-@pytest.mark.parametrize("language", words.languages())
+@pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("size", [(640, 360), (960, 540), (1920, 1080)])
 def test_it_can_be_drawn_in_every_game(language: str, size: tuple[int, int]) -> None:
     app = App(load_table("pool-9ft"), seed=3, size=size, menu=True)
@@ -303,4 +302,3 @@ def test_it_can_be_drawn_in_every_game(language: str, size: tuple[int, int]) -> 
         assert app.step(0.01)
         assert dialog(hand).form.rect.bottom <= size[1]
     app.close()
-    words.speak("en")

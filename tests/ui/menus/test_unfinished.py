@@ -165,10 +165,10 @@ def test_a_match_on_a_preset_that_has_changed_or_gone_is_continued_as_it_was_and
     app.scene = choose_menu
     app.step(0.0)
     # The replay says so while its first shot runs.
-    shown_replay = Replay(RecordedShots(load(records()[0])), app.scene)
-    assert "The table is as it was" in replay_view.caption(shown_replay.state)[0]
+    shown_replay = Replay(RecordedShots(load(records()[0])), app.words, app.scene)
+    assert "The table is as it was" in replay_view.caption(app.words, shown_replay.state)[0]
     shown_replay.state.playback.leave()
-    assert "The table is as it was" not in replay_view.caption(shown_replay.state)[0]
+    assert "The table is as it was" not in replay_view.caption(app.words, shown_replay.state)[0]
     app.close()
 
 
@@ -195,8 +195,8 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     shown_again = guest.play.state.playback
     assert shown_again is not None and shown_again.rollout.layout() == layout
     guest.app.step(0.5)
-    replay = Replay(RecordedShots(load(unfinished()[0])), guest.play)
-    assert replay_view.caption(replay.state) == (
+    replay = Replay(RecordedShots(load(unfinished()[0])), guest.app.words, guest.play)
+    assert replay_view.caption(guest.app.words, replay.state) == (
         "Today this shot would roll otherwise: the engine has changed since."
         " The balls are shown as recorded, before it and after it.",
         True,

@@ -77,9 +77,11 @@ def test_a_push_out_is_told_of(hand: Hand) -> None:
         hand.app.step(0.0)
         if session.ask.kind == AIM:
             break
-    assert "push" in session.ask.may and "A push out may be called." in verdict(hand.play.state.calls, session)
+    assert "push" in session.ask.may and "A push out may be called." in verdict(
+        hand.app.words, hand.play.state.calls, session
+    )
     hand.play.state.calls.push = True
-    assert off_target(hand.play.state.calls, session, "9") == ""
+    assert off_target(hand.app.words, hand.play.state.calls, session, "9") == ""
     name = session.match.names[session.ask.player]
     hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(0.4).turned(90.0)
     hand.strike()

@@ -92,8 +92,8 @@ def test_a_stroke_may_begin_on_a_pocket(hand: Hand) -> None:
 
 def test_a_ball_of_many_alike_is_called_without_its_number(hand: Hand) -> None:
     session = begin(hand, "english-eight-ball", "english-7ft")
-    assert off_target(hand.play.state.calls, session, "yellow2") == ""
-    assert ruling_text.ball("yellow2") == "yellow" and ruling_text.ball("9") == "9"
+    assert off_target(hand.app.words, hand.play.state.calls, session, "yellow2") == ""
+    assert ruling_text.ball(hand.app.words, "yellow2") == "yellow" and ruling_text.ball(hand.app.words, "9") == "9"
 
 
 @pytest.mark.parametrize("by", ["mouse", "keys"])
@@ -161,9 +161,9 @@ def test_a_call_is_said_in_the_bar_and_seen_on_the_table(hand: Hand) -> None:
     ball = session.table.knobs.ball.radius * view.scale + 3.0
     pocket = session.table.geometry.pockets[0].radius * view.scale
     assert ringed("9", ball) == ringed("top-right", pocket) == 0
-    assert "click the ball and then its pocket" in verdict(hand.play.state.calls, session)
+    assert "click the ball and then its pocket" in verdict(hand.app.words, hand.play.state.calls, session)
     click(hand, *at(session, "9"))
-    assert "click the ball" not in verdict(hand.play.state.calls, session)
+    assert "click the ball" not in verdict(hand.app.words, hand.play.state.calls, session)
     assert "Called: 9. Now its pocket" in play_view.notes(hand.play.state, 2.0)
     click(hand, *at(session, "top-right"))
     hand.point(0.1, 0.1)

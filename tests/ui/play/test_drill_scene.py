@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pygame
@@ -14,16 +13,13 @@ from pool2d.game.drills.drill_file import load
 from pool2d.ui.menus.drill_list import DrillList
 from pool2d.ui.play.modes.drill_mode import DrillMode
 from pool2d.ui.widgets.list_row import ListRow
-from pool2d.ui.wording import words
 
 from ..conftest import FRAME, Hand
 
 
 @pytest.fixture(autouse=True)
-def own_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def own_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
-    yield
-    words.speak("en")
 
 
 def begin(hand: Hand, name: str) -> DrillMode:

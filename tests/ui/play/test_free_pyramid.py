@@ -112,7 +112,7 @@ def test_so_it_is_where_a_record_is_shown(hand: Hand) -> None:
     hand.strike()
     session.leave()
     assert isinstance(session.recorder, Recorder)
-    replay = Replay(RecordedShots(load(session.recorder.path)))
+    replay = Replay(RecordedShots(load(session.recorder.path)), hand.app.words)
     gone = session.layout.without("cue").put(Ball("cue", 0.0, 0.0, phase=POCKETED))
     assert BallHistory().at_rest(gone).pocketed(replay.state.shots[0].match) == ("cue",)
 

@@ -14,7 +14,7 @@ from pool2d.ui.menus.ended import FrameOver
 from pool2d.ui.play import play_view
 from pool2d.ui.play.call_words import off_target, verdict
 from pool2d.ui.stage import scoreboard
-from pool2d.ui.wording import words
+from pool2d.ui.wording.words import Words
 
 from ..at_match import begin
 from ..conftest import Hand
@@ -26,7 +26,7 @@ def test_a_break_is_judged_and_the_referee_says_what_is_next(hand: Hand) -> None
     hand.play.state.hands.aim = hand.play.state.hands.aim.with_speed(9.0).toward(1.0, 0.005)
     hand.strike()
     assert session.match.now.report is not None
-    assert hand.play.state.messages.text == verdict(hand.play.state.calls, session)
+    assert hand.play.state.messages.text == verdict(hand.app.words, hand.play.state.calls, session)
     assert any(name in hand.play.state.messages.text for name in ("Ann", "Bob"))
 
 
@@ -35,8 +35,8 @@ def test_an_aim_at_a_ball_that_is_not_on_is_told(hand: Hand) -> None:
     one = session.layout["1"]
     hand.point(one.x, one.y)
     hand.app.step(0.0)
-    assert off_target(hand.play.state.calls, session, "1") == ""
-    assert off_target(hand.play.state.calls, session, "9") == "The 9 is not on."
+    assert off_target(hand.app.words, hand.play.state.calls, session, "1") == ""
+    assert off_target(hand.app.words, hand.play.state.calls, session, "9") == "The 9 is not on."
     assert hand.play.state.first_hit(hand.play.state.hands.aim.shot("cue")) == "1"
 
 
@@ -82,22 +82,19 @@ def test_a_ball_in_hand_goes_only_where_the_ruling_allows(hand: Hand) -> None:
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720)])
 def test_names_and_scores_stay_beside_the_tray(hand: Hand, size: tuple[int, int], language: str) -> None:
     hand.app.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
-    words.speak(language)
-    try:
-        session = begin(hand, "straight", race=3)
-        assert session.match.setup.race == 3
-        tray = hand.play.stage.screen.tray
-        bar = pygame.surfarray.array3d(hand.app.window.surface.subsurface(tray)).max(axis=2)
-        assert (bar < 120).all(), "nothing is written where fallen balls lie"
-        left = pygame.surfarray.array3d(hand.app.window.surface.subsurface((0, 0, tray.left, tray.height))).max(axis=2)
-        assert (left > 150).any()
-    finally:
-        words.speak("en")
+    hand.app.words.speak(language)
+    session = begin(hand, "straight", race=3)
+    assert session.match.setup.race == 3
+    tray = hand.play.stage.screen.tray
+    bar = pygame.surfarray.array3d(hand.app.window.surface.subsurface(tray)).max(axis=2)
+    assert (bar < 120).all(), "nothing is written where fallen balls lie"
+    left = pygame.surfarray.array3d(hand.app.window.surface.subsurface((0, 0, tray.left, tray.height))).max(axis=2)
+    assert (left > 150).any()
 
 
 def details(session: Session, player: int) -> list[str]:
     now = session.match.now
-    return scoreboard._details(session.match, now, player, now.ruling.ask.player == player)
+    return scoreboard._details(Words(), session.match, now, player, now.ruling.ask.player == player)
 
 
 def test_what_a_game_adds_is_told_of_each_player(hand: Hand) -> None:

@@ -9,6 +9,7 @@ from pool2d import Ball
 from pool2d.game.aim import Aim
 from pool2d.ui.screen import Screen
 from pool2d.ui.stage import bars
+from pool2d.ui.wording.words import Words
 
 from ..conftest import Hand
 
@@ -33,9 +34,11 @@ def test_the_direction_stays_as_it_was_struck_while_the_shot_runs(hand: Hand, mo
     told: list[tuple[float, float]] = []
     real = bars.draw_controls
 
-    def draw(surface: pygame.Surface, screen: Screen, aim: Aim, speed: float, tip_friction: float) -> None:
+    def draw(
+        surface: pygame.Surface, words: Words, screen: Screen, aim: Aim, speed: float, tip_friction: float
+    ) -> None:  # fmt: skip
         told.append((aim.angle, speed))
-        real(surface, screen, aim, speed, tip_friction)
+        real(surface, words, screen, aim, speed, tip_friction)
 
     monkeypatch.setattr(bars, "draw_controls", draw)
     hand.key(pygame.K_SPACE)

@@ -12,6 +12,7 @@ from pool2d.physics.values import POCKETED
 from pool2d.ui.play import play_view
 from pool2d.ui.play.play_view import hop_note
 from pool2d.ui.stage import bars
+from pool2d.ui.wording.words import Words
 
 from ..conftest import Hand
 
@@ -272,7 +273,7 @@ def test_losing_the_window_puts_the_cue_down(hand: Hand) -> None:
 
 
 def test_a_direction_just_below_a_full_turn_is_told_as_none() -> None:
-    assert [bars.bearing(angle) for angle in (0.0, 359.994, 359.996)] == ["0.00°", "359.99°", "0.00°"]
+    assert [bars.bearing(Words(), angle) for angle in (0.0, 359.994, 359.996)] == ["0.00°", "359.99°", "0.00°"]
 
 
 def test_the_bars_tell_the_present_while_a_shot_runs(hand: Hand) -> None:

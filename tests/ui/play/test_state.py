@@ -8,17 +8,18 @@ from pool2d import Ball, Layout, load_table
 from pool2d.game.session import practice, recorded
 from pool2d.game.setup import Setup
 from pool2d.sound.mixer import Sounds
-from pool2d.ui.play.messages import Messages, Words
+from pool2d.ui.play.messages import Message, Messages
 from pool2d.ui.play.modes.match_mode import MatchMode
 from pool2d.ui.play.modes.practice_mode import PracticeMode
 from pool2d.ui.play.state import PlayState, Wish
+from pool2d.ui.wording.words import Words
 
 TABLE = load_table("pool-9ft")
 
 
 @pytest.fixture
 def state() -> PlayState:
-    made = PlayState(practice(TABLE, seed=3), Sounds())
+    made = PlayState(practice(TABLE, seed=3), Words(), Sounds())
     made.arrange(Layout([Ball("cue", 0.6, 0.6), Ball("1", 0.3, 0.3)]))
     return made
 
@@ -54,7 +55,7 @@ def test_the_mode_goes_with_the_session(state: PlayState) -> None:
 
 
 def test_what_stands_comes_back_once_another_message_has_been_read() -> None:
-    standing: list[Words] = []
+    standing: list[Message] = []
     messages = Messages(lambda: standing[-1] if standing else None)
     messages.say("no more room")
     messages.update(60.0)

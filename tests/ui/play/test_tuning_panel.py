@@ -13,7 +13,6 @@ from pool2d.ui.dialogs.dialog import TextPrompt
 from pool2d.ui.play.tuning_panel import PAGES
 from pool2d.ui.widgets.inputs import Selector, Slider
 from pool2d.ui.widgets.widget import Button, Tabs
-from pool2d.ui.wording.keys import KEYS
 
 from ..conftest import Hand
 from .tuned import opened, press, shot, widget
@@ -197,15 +196,11 @@ def test_the_panel_and_the_message_follow_the_language_and_the_keys(hand: Hand) 
     panel = opened(hand)
     panel.form.focus = widget(panel, "Rolling resistance")
     hand.app.store.turn("screen.language", "de")
-    try:
-        assert panel.form.focus is widget(panel, "Rollwiderstand")
-        assert "kein Regler" in panel._summary()
-        assert hand.play.state.messages.text.startswith("Mit der Maus zielen")
-        KEYS.bind("help", pygame.K_h)
-        assert "H zeigt alle Tasten" in hand.play.state.messages.text
-    finally:
-        KEYS.reset()
-        hand.app.store.turn("screen.language", "en")
+    assert panel.form.focus is widget(panel, "Rollwiderstand")
+    assert "kein Regler" in panel._summary()
+    assert hand.play.state.messages.text.startswith("Mit der Maus zielen")
+    hand.app.words.keys.bind("help", pygame.K_h)
+    assert "H zeigt alle Tasten" in hand.play.state.messages.text
 
 
 def test_saving_leaves_no_error_that_is_over(hand: Hand) -> None:

@@ -12,7 +12,6 @@ from pool2d.draw.tabletop.background import Background
 from pool2d.game.aim import Aim
 from pool2d.ui.frame import Frame
 from pool2d.ui.stage import bars
-from pool2d.ui.wording import words
 
 from ..conftest import FRAME, Hand
 from ..play.test_drill_scene import begin
@@ -123,8 +122,6 @@ def test_the_bars_follow_what_is_set_while_a_shot_runs(hand: Hand) -> None:
     for name, value in (("aiming.speed_unit", "mph"), ("screen.language", "de"), ("balls.trails", False)):
         hand.app.store.turn(name, value)
         watch(hand, 3)
-    words.speak("en")
-    words.tell_speeds_in("m/s")
 
 
 def test_nothing_stays_when_the_balls_come_to_rest_or_the_window_changes(hand: Hand) -> None:

@@ -88,7 +88,7 @@ def test_a_replayed_record_presents_what_has_changed(hand: Hand, monkeypatch: py
     hand.strike()
     hand.play.state.session.leave()
     (path,) = records()
-    viewer = Replay(RecordedShots(load(path, torn=True)), hand.play)
+    viewer = Replay(RecordedShots(load(path, torn=True)), hand.app.words, hand.play)
     hand.app.scene = viewer
     monitor = Monitor(monkeypatch, hand.app.window.surface)
     for number in range(60):

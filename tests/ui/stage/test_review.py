@@ -11,11 +11,13 @@ from pool2d import Ball, Layout, Shot, load_table, simulate
 from pool2d.draw import text
 from pool2d.ui.stage.playback import RATES, Playback
 from pool2d.ui.wording import shot_text
+from pool2d.ui.wording.words import Words
 
 from ..conftest import FRAME, Hand
 
 TABLE = load_table("pool-9ft")
 CUT = Layout([Ball("cue", 0.635, 0.5), Ball("1", 1.5, 0.53)])
+WORDS = Words()
 ROLL = simulate(TABLE, CUT, Shot(angle=1.0, speed=3.0))
 
 
@@ -243,7 +245,7 @@ def test_looking_again_leaves_the_aim_and_the_game_alone(hand: Hand) -> None:
 
 def test_an_event_is_told_with_its_numbers() -> None:
     contact = next(event for event in ROLL.events if event.kind == "ball_ball")
-    assert shot_text.title(contact, "cue") == "Cue ball meets 1"
+    assert shot_text.title(WORDS, contact, "cue") == "Cue ball meets 1"
     throw = shot_text.throw(contact)
     assert throw is not None
     before, after = contact.before, contact.after
@@ -254,27 +256,27 @@ def test_an_event_is_told_with_its_numbers() -> None:
     kept = shot_text.energy_kept(contact, TABLE)
     assert kept is not None
     assert 0.8 < kept < 1.0
-    words = shot_text.measures(contact, TABLE)
-    assert f"{contact.t:.3f} s" in words
-    assert f"throw {abs(throw):.1f}" in words
-    assert f"keeps {100 * kept:.0f} %" in words
-    assert "0.00 to " in shot_text.change(contact, "1", "cue")
+    told = shot_text.measures(WORDS, contact, TABLE)
+    assert f"{contact.t:.3f} s" in told
+    assert f"throw {abs(throw):.1f}" in told
+    assert f"keeps {100 * kept:.0f} %" in told
+    assert "0.00 to " in shot_text.change(WORDS, contact, "1", "cue")
     assert shot_text.throw(ROLL.events[0]) is None
 
 
 def test_the_cue_ball_is_the_one_struck_whatever_its_name() -> None:
     contact = next(event for event in ROLL.events if event.kind == "ball_ball")
-    assert shot_text.title(contact, "1") == "Other cue ball meets cue ball"
-    assert shot_text.change(contact, "1", "1").startswith("Cue ball")
+    assert shot_text.title(WORDS, contact, "1") == "Other cue ball meets cue ball"
+    assert shot_text.change(WORDS, contact, "1", "1").startswith("Cue ball")
 
 
 def test_balls_and_places_are_told_in_words_and_unknown_ones_as_they_are() -> None:
-    assert shot_text.ball_name("red12", "cue") == "red 12"
-    assert shot_text.ball_name("black", "cue") == "black"
-    assert shot_text.ball_name("7", "cue") == "7"
-    assert shot_text.ball_name("left2", "cue") == "left2"
-    assert shot_text.place_name("bottom-left jaw") == "bottom left jaw"
-    assert shot_text.place_name("nook-left") == "nook left"
+    assert shot_text.ball_name(WORDS, "red12", "cue") == "red 12"
+    assert shot_text.ball_name(WORDS, "black", "cue") == "black"
+    assert shot_text.ball_name(WORDS, "7", "cue") == "7"
+    assert shot_text.ball_name(WORDS, "left2", "cue") == "left2"
+    assert shot_text.place_name(WORDS, "bottom-left jaw") == "bottom left jaw"
+    assert shot_text.place_name(WORDS, "nook-left") == "nook left"
 
 
 def test_without_friction_nothing_is_thrown_and_the_energy_is_kept() -> None:
@@ -287,7 +289,7 @@ def test_without_friction_nothing_is_thrown_and_the_energy_is_kept() -> None:
 def test_every_kind_of_event_has_a_title() -> None:
     rack = TABLE.rack("eight-ball", 3)
     events = simulate(TABLE, rack, Shot(angle=0.3, speed=9.0, side=0.3)).events
-    titles = {event.kind: shot_text.title(event, "cue") for event in events}
+    titles = {event.kind: shot_text.title(WORDS, event, "cue") for event in events}
     assert {"cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster", "sliding_rolling"} <= set(titles)
     assert all("_" not in title for title in titles.values())
 

@@ -7,6 +7,7 @@ import pytest
 from pool2d import Ball, Layout, Shot, load_table, simulate
 from pool2d.ui.stage.playback import Playback
 from pool2d.ui.wording import shot_text
+from pool2d.ui.wording.words import Words
 
 TABLE = load_table("pool-9ft")
 ROLL = simulate(TABLE, Layout([Ball("cue", 0.635, 0.5), Ball("1", 1.5, 0.53)]), Shot(angle=1.0, speed=3.0))
@@ -38,7 +39,9 @@ def test_while_a_ball_moves_time_runs_as_it_is() -> None:
 
 def test_a_ball_that_stands_and_spins_on_is_not_said_to_rest() -> None:
     roll = simulate(TABLE, Layout([Ball("cue", 0.635, 0.5, vx=0.2, wz=100.0)]))
-    told = [shot_text.title(event, "cue") for event in roll.events if event.kind in ("rolling_resting", "spin_end")]
+    told = [
+        shot_text.title(Words(), event, "cue") for event in roll.events if event.kind in ("rolling_resting", "spin_end")
+    ]
     assert told == ["Cue ball stands, and spins on", "Cue ball stops spinning"]
     still = simulate(TABLE, Layout([Ball("cue", 0.635, 0.5)]), Shot(angle=0.0, speed=1.0))
-    assert shot_text.title(still.events[-1], "cue") == "Cue ball comes to rest"
+    assert shot_text.title(Words(), still.events[-1], "cue") == "Cue ball comes to rest"

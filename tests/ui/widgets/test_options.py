@@ -18,8 +18,7 @@ from pool2d.ui.play.play import Play
 from pool2d.ui.widgets.ball_row import BallRow
 from pool2d.ui.widgets.inputs import Selector, Slider
 from pool2d.ui.widgets.widget import Button, Tabs, Toggle, Widget
-from pool2d.ui.wording import words
-from pool2d.ui.wording.keys import DEFAULTS, KEYS, action_of
+from pool2d.ui.wording.keys import DEFAULTS
 
 from ..conftest import Hand
 
@@ -36,8 +35,6 @@ def mine(store: Store) -> Iterator[Hand]:
     pygame.event.clear()
     yield Hand(app)
     app.close()
-    KEYS.reset()
-    words.speak("en")
 
 
 def options(hand: Hand, page: str = PAGES[0]) -> OptionsPage:
@@ -145,10 +142,9 @@ def test_the_window_opens_in_the_language_and_at_the_guide_set_before(store: Sto
     store.turn("screen.language", "de")
     store.turn("aiming.guide", "line")
     app = App(load_table("pool-9ft"), seed=3, store=store)
-    assert words.say("form.cancel") == "Abbrechen"
+    assert app.words.say("form.cancel") == "Abbrechen"
     assert app.play.state.show.level == guide.LINE
     app.close()
-    words.speak("en")
 
 
 def test_reset_and_close_by_mouse(mine: Hand, store: Store) -> None:
@@ -174,14 +170,14 @@ def test_a_key_is_bound_anew_and_the_help_shows_it(mine: Hand, store: Store) -> 
     click(mine, row(scene, "guide").rect.center)
     assert "press a key" in row(scene, "guide").message
     mine.key(pygame.K_h)
-    assert action_of(pygame.K_h, 0) == "guide"
-    assert action_of(pygame.K_g, 0) is None
+    assert mine.app.words.keys.action_of(pygame.K_h, 0) == "guide"
+    assert mine.app.words.keys.action_of(pygame.K_g, 0) is None
     mine.key(pygame.K_ESCAPE)
     assert isinstance(mine.app.scene, Play)
     level = mine.play.state.show.level
     mine.key(pygame.K_h)
     assert mine.play.state.show.level != level
-    assert ("H", words.say("help.guide")) in keys()
+    assert ("H", mine.app.words.say("help.guide")) in keys(mine.app.words)
     store.save()
     assert store.path is not None
     assert Store(store.path).keys == {"guide": ("h",)}
@@ -191,11 +187,11 @@ def test_a_key_that_another_action_has_is_told_and_taken_on_the_second_press(min
     scene = options(mine, "keys")
     click(mine, row(scene, "guide").rect.center)
     mine.key(pygame.K_n)
-    assert action_of(pygame.K_n, 0) == "rack"
+    assert mine.app.words.keys.action_of(pygame.K_n, 0) == "rack"
     assert "New rack" in row(scene, "guide").message
     mine.key(pygame.K_n)
-    assert action_of(pygame.K_n, 0) == "guide"
-    assert KEYS.shown("rack") == "no key"
+    assert mine.app.words.keys.action_of(pygame.K_n, 0) == "guide"
+    assert mine.app.words.key("rack") == "no key"
 
 
 def test_while_a_row_waits_it_gets_tab_and_esc_and_the_windows_keys(mine: Hand) -> None:
@@ -209,7 +205,7 @@ def test_while_a_row_waits_it_gets_tab_and_esc_and_the_windows_keys(mine: Hand) 
     mine.key(pygame.K_LSHIFT)
     mine.key(pygame.K_ESCAPE)
     assert mine.app.scene is scene
-    assert KEYS.chords == DEFAULTS
+    assert mine.app.words.keys.chords == DEFAULTS
     click(mine, row(scene, "guide").rect.center)
     click(mine, row(scene, "undo").rect.center)
     assert not row(scene, "guide").greedy and row(scene, "undo").greedy
@@ -223,10 +219,10 @@ def test_delete_sets_a_key_back_and_reset_all_of_them(mine: Hand, store: Store) 
     click(mine, row(scene, "guide").rect.center)
     mine.key(pygame.K_ESCAPE)
     mine.key(pygame.K_DELETE)
-    assert KEYS.shown("guide") == "G"
+    assert mine.app.words.key("guide") == "G"
     assert set(store.keys) == {"rack"}
     scene._reset()
-    assert KEYS.chords == DEFAULTS
+    assert mine.app.words.keys.chords == DEFAULTS
     assert store.keys == {}
 
 
@@ -244,7 +240,6 @@ def test_every_page_stays_inside_the_window(size: tuple[int, int], language: str
         if page != "keys":
             assert all(scene.form.rect.contains(w.rect) for w in scene.form.widgets)
     app.close()
-    words.speak("en")
 
 
 def test_balls_are_shown_as_their_options_make_them(hand: Hand) -> None:

@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pygame
 import pytest
 
 from pool2d.ui.dialogs.help import keys as help_lines
-from pool2d.ui.wording.keyboard import KEYBOARD, PLACES, digit_of
-from pool2d.ui.wording.keys import KEYS
+from pool2d.ui.wording.keyboard import PLACES, digit_of
 
 from ..at_match import begin
 from ..conftest import Hand
@@ -30,7 +29,7 @@ Lay = Callable[[str], None]
 
 
 @pytest.fixture
-def lay(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> Iterator[Lay]:
+def lay(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> Lay:
     """Plugs in a keyboard of a layout, as the system does."""
 
     def to(name: str) -> None:
@@ -38,10 +37,7 @@ def lay(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> Iterator[Lay]:
         monkeypatch.setattr(pygame.key, "ScancodeWrapper", lambda row: places)
         hand.post(pygame.KEYMAPCHANGED)
 
-    yield to
-    monkeypatch.undo()
-    KEYBOARD.read()
-    KEYS.lay()
+    return to
 
 
 def press(hand: Hand, us: str, layout: str, mod: int = 0) -> None:
@@ -70,7 +66,6 @@ def test_they_do_so_before_the_layout_is_known(hand: Hand, layout: str) -> None:
     press(hand, "w", layout)
     press(hand, "v", layout)
     assert hand.play.state.hands.aim.height == 0.05 and hand.play.state.show.vectors
-    KEYBOARD.read()
 
 
 def test_ctrl_with_another_alphabet(hand: Hand, lay: Lay) -> None:
@@ -135,28 +130,29 @@ def test_digits() -> None:
     ],
 )
 def test_the_help_shows_the_letters_of_the_players_keyboard(
-    lay: Lay, layout: str, spin: str, guide: str, undo: str
+    hand: Hand, lay: Lay, layout: str, spin: str, guide: str, undo: str
 ) -> None:
     lay(layout)
-    shown = [name for name, _ in help_lines()]
+    shown = [name for name, _ in help_lines(hand.app.words)]
     assert {spin, guide, undo} <= set(shown)
-    assert KEYS.names() == {}
+    assert hand.app.words.keys.names() == {}
 
 
 def test_what_was_bound_stays_bound_on_another_keyboard(hand: Hand, lay: Lay) -> None:
-    KEYS.bind("spin_up", pygame.K_h)
+    hand.app.words.keys.bind("spin_up", pygame.K_h)
     lay("French")
-    assert KEYS.shown("spin_up") == "H" and KEYS.names() == {"spin_up": ["h"]}
-    KEYS.reset("spin_up")
-    assert KEYS.shown("spin_up") == "Z" and KEYS.names() == {}
+    assert hand.app.words.key("spin_up") == "H" and hand.app.words.keys.names() == {"spin_up": ["h"]}
+    hand.app.words.keys.reset("spin_up")
+    assert hand.app.words.key("spin_up") == "Z" and hand.app.words.keys.names() == {}
 
 
 @pytest.mark.parametrize("layout", ["German", "Dvorak"])
 def test_where_a_layout_has_our_letters_they_are_what_counts(hand: Hand, lay: Lay, layout: str) -> None:
     lay(layout)
+    keys = hand.app.words.keys
     for us, code in zip(US, LAYOUTS[layout], strict=True):
         if code.isascii():
-            meant = KEYBOARD.meant(ord(code), PLACE[us], bound=KEYS.owner(ord(code)) is not None)
+            meant = keys.keyboard.meant(ord(code), PLACE[us], bound=keys.owner(ord(code)) is not None)
             assert chr(meant) == code
     # A sharp s is no minus.
-    assert KEYBOARD.meant(ord("ß"), PLACE["-"], bound=False) == ord("ß")
+    assert keys.keyboard.meant(ord("ß"), PLACE["-"], bound=False) == ord("ß")

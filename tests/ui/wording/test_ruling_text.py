@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 
 from pool2d.config.knobs import walk
@@ -12,40 +10,40 @@ from pool2d.game.drills.drill import MISSES
 from pool2d.game.drills.drill_file import drills, load
 from pool2d.game.rules import GAMES, Note, label, say
 from pool2d.game.rules.notes import ENGLISH
-from pool2d.ui.wording import ruling_text, words
+from pool2d.ui.wording import ruling_text
+from pool2d.ui.wording.words import Words, languages
 
 NAMES = ("Ann", "Bob")
 NOTES = [key for key in ENGLISH if not key.startswith("choice.")]
 CHOICES = [key.removeprefix("choice.") for key in ENGLISH if key.startswith("choice.")]
 
 
-@pytest.fixture(autouse=True)
-def english_afterwards() -> Iterator[None]:
-    words.speak("en")
-    yield
-    words.speak("en")
+@pytest.fixture
+def words() -> Words:
+    """What is said, in English at first."""
+    return Words()
 
 
 @pytest.mark.parametrize("key", NOTES)
 @pytest.mark.parametrize("ball", ["3", "cue", "red7", "black"])
-def test_english_is_what_the_rules_say(key: str, ball: str) -> None:
+def test_english_is_what_the_rules_say(words: Words, key: str, ball: str) -> None:
     note = Note(key, 1, ball, 4)
-    assert ruling_text.note_text(note, NAMES) == say(note, NAMES)
+    assert ruling_text.note_text(words, note, NAMES) == say(note, NAMES)
 
 
 @pytest.mark.parametrize("key", CHOICES)
-def test_an_option_in_english_is_what_the_rules_call_it(key: str) -> None:
+def test_an_option_in_english_is_what_the_rules_call_it(words: Words, key: str) -> None:
     about = {"group": ":red", "start-spot": ":left"}.get(key, "")
-    assert ruling_text.option(key + about) == label(key + about)
-    assert ruling_text.option("pocket:top-right") == "The top right pocket"
+    assert ruling_text.option(words, key + about) == label(key + about)
+    assert ruling_text.option(words, "pocket:top-right") == "The top right pocket"
 
 
 @pytest.mark.parametrize("key", NOTES)
-def test_german_says_every_note_otherwise(key: str) -> None:
+def test_german_says_every_note_otherwise(words: Words, key: str) -> None:
     note = Note(key, 1, "red7", 4)
-    english = ruling_text.note_text(note, NAMES)
+    english = ruling_text.note_text(words, note, NAMES)
     words.speak("de")
-    german = ruling_text.note_text(note, NAMES)
+    german = ruling_text.note_text(words, note, NAMES)
     assert german.endswith(".") and "{" not in german and not german[0].islower()
     # "Free Ball" is what it is called in German, too.
     assert (german.lower() == english.lower()) == (key == "free-ball")
@@ -63,9 +61,9 @@ def test_german_says_every_note_otherwise(key: str) -> None:
         (Note("draw"), "Unentschieden."),
     ],
 )
-def test_a_note_in_german(note: Note, german: str) -> None:
+def test_a_note_in_german(words: Words, note: Note, german: str) -> None:
     words.speak("de")
-    assert ruling_text.note_text(note, NAMES) == german
+    assert ruling_text.note_text(words, note, NAMES) == german
 
 
 @pytest.mark.parametrize(
@@ -77,28 +75,28 @@ def test_a_note_in_german(note: Note, german: str) -> None:
         ("pocket:top-right", "Tasche oben rechts"),
     ],
 )
-def test_an_option_in_german(key: str, german: str) -> None:
+def test_an_option_in_german(words: Words, key: str, german: str) -> None:
     words.speak("de")
-    assert ruling_text.option(key) == german
+    assert ruling_text.option(words, key) == german
 
 
-@pytest.mark.parametrize("language", words.languages())
-def test_a_choice_fits_its_button(language: str) -> None:
+@pytest.mark.parametrize("language", languages())
+def test_a_choice_fits_its_button(words: Words, language: str) -> None:
     words.speak(language)
     keys = {"group": "group:yellow", "start-spot": "start-spot:right", "pocket": "pocket:bottom-right"}
     for key in CHOICES:
-        label = ruling_text.option(keys.get(key, key))
+        label = ruling_text.option(words, keys.get(key, key))
         assert text.fitted(label, 14, 184) == label
 
 
 @pytest.mark.parametrize("game", GAMES)
-def test_a_game_and_its_options_are_told_in_both_languages(game: str) -> None:
+def test_a_game_and_its_options_are_told_in_both_languages(words: Words, game: str) -> None:
     told = {}
     for language in ("en", "de"):
         words.speak(language)
-        told[language] = [ruling_text.title(game)]
+        told[language] = [ruling_text.title(words, game)]
         for name, knob, _ in walk(GAMES[game].options_type()):
-            told[language] += [ruling_text.setting(name), ruling_text.setting_hint(game, name, knob.doc)]
+            told[language] += [ruling_text.setting(words, name), ruling_text.setting_hint(words, game, name, knob.doc)]
             assert (told[language][-1] == knob.doc) == (language == "en")
     assert told["en"][0] == GAMES[game].title
     # "Snooker" is what it is called in German, too.
@@ -106,19 +104,19 @@ def test_a_game_and_its_options_are_told_in_both_languages(game: str) -> None:
 
 
 @pytest.mark.parametrize("name", drills())
-def test_a_shipped_drill_is_told_in_german(name: str) -> None:
+def test_a_shipped_drill_is_told_in_german(words: Words, name: str) -> None:
     drill = load(name)
-    assert ruling_text.wording(drill) == (drill.name, drill.text)
+    assert ruling_text.wording(words, drill) == (drill.name, drill.text)
     words.speak("de")
-    german = ruling_text.wording(drill)
+    german = ruling_text.wording(words, drill)
     assert german.text.endswith(".") and german.text != drill.text
     assert (german.name == drill.name) == (name == "line-up")
 
 
-def test_what_a_stroke_missed_is_told() -> None:
-    assert ruling_text.missed("") == ""
-    assert ruling_text.missed("wrong_first") == "The wrong ball was hit first."
-    english = {key: ruling_text.missed(key) for key in MISSES}
+def test_what_a_stroke_missed_is_told(words: Words) -> None:
+    assert ruling_text.missed(words, "") == ""
+    assert ruling_text.missed(words, "wrong_first") == "The wrong ball was hit first."
+    english = {key: ruling_text.missed(words, key) for key in MISSES}
     words.speak("de")
-    assert ruling_text.missed("wrong_first") == "Die falsche Kugel wurde zuerst getroffen."
-    assert all(ruling_text.missed(key) != english[key] for key in MISSES)
+    assert ruling_text.missed(words, "wrong_first") == "Die falsche Kugel wurde zuerst getroffen."
+    assert all(ruling_text.missed(words, key) != english[key] for key in MISSES)

@@ -24,15 +24,17 @@ from pool2d.ui.dialogs.options import PAGES, PALETTES
 from pool2d.ui.play import tuning_panel
 from pool2d.ui.stage import timeline
 from pool2d.ui.stage.legend import LEGEND
-from pool2d.ui.wording import words
+from pool2d.ui.wording import words as words_module
 from pool2d.ui.wording.keys import DEFAULTS, FIXED, HANDS, rows
+from pool2d.ui.wording.words import Words, languages, places
+from pool2d.ui.wording.words import catalogue as catalogue_of
 
-PACKAGE = Path(words.__file__).parents[2]
+PACKAGE = Path(words_module.__file__).parents[2]
 SOURCES = sorted([*(PACKAGE / "ui").rglob("*.py"), *(PACKAGE / "draw").rglob("*.py")])
 # What shows its words to the player.
 SHOWS = {"draw", "Heading", "Button", "Toggle", "Choice", "Slider", "TextField", "toast", "Ask", "draw_message"}
 NAMES = {"pool2d"}
-ENGLISH = words.catalogue("en").texts
+ENGLISH = catalogue_of("en").texts
 KNOBS = {f"knob.{name}": knob for name, knob, _ in walk(Knobs())}
 OPTIONS = {(game, name): knob for game, rules in GAMES.items() for name, knob, _ in walk(rules.options_type())}
 # What English takes from the knobs and the rules themselves.
@@ -48,13 +50,6 @@ ELSEWHERE = (
     }
     | {f"table.{name}": title_of(name) for name in catalogue.shipped(catalogue.TABLES)}
 )
-
-
-@pytest.fixture(autouse=True)
-def english_afterwards() -> Iterator[None]:
-    yield
-    words.speak("en")
-    words.tell_speeds_in("m/s")
 
 
 def called(node: ast.AST) -> str:
@@ -79,25 +74,25 @@ def asked() -> Iterator[tuple[str, str]]:
                 yield "".join(parts), path.name
 
 
-@pytest.mark.parametrize("language", words.languages())
+@pytest.mark.parametrize("language", languages())
 def test_a_catalogue_reads_well(language: str) -> None:
-    read = words.catalogue(language)
+    read = catalogue_of(language)
     assert read.complaints == []
     assert all(text.strip() for text in read.texts.values())
 
 
-@pytest.mark.parametrize("language", words.languages())
+@pytest.mark.parametrize("language", languages())
 def test_every_language_says_everything(language: str) -> None:
     wanted = set(ENGLISH) | set(() if language == "en" else ELSEWHERE)
-    assert set(words.catalogue(language).texts) == wanted
+    assert set(catalogue_of(language).texts) == wanted
 
 
-@pytest.mark.parametrize("language", words.languages())
+@pytest.mark.parametrize("language", languages())
 def test_every_language_has_the_same_places_to_fill(language: str) -> None:
-    texts = words.catalogue(language).texts
+    texts = catalogue_of(language).texts
     assert texts
     for key, text in texts.items():
-        assert words.places(text) == words.places((ENGLISH | ELSEWHERE)[key]), key
+        assert places(text) == places((ENGLISH | ELSEWHERE)[key]), key
 
 
 def test_what_an_option_does_is_translated_once() -> None:
@@ -156,6 +151,7 @@ def test_no_words_stand_in_the_code(path: Path) -> None:
 
 
 def test_another_language_says_it_otherwise() -> None:
+    words = Words()
     words.speak("de")
     assert words.say("form.cancel") == "Abbrechen"
     assert words.number(2.5, ".2f") == "2,50"
@@ -165,6 +161,7 @@ def test_another_language_says_it_otherwise() -> None:
 
 
 def test_auto_is_the_systems_language_and_english_where_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    words = Words()
     for variable in ("LC_ALL", "LC_MESSAGES"):
         monkeypatch.delenv(variable, raising=False)
     monkeypatch.setenv("LANG", "de_AT.UTF-8")
@@ -176,6 +173,7 @@ def test_auto_is_the_systems_language_and_english_where_there_is_none(monkeypatc
 
 
 def test_places_are_filled_and_what_is_missing_is_left_standing() -> None:
+    words = Words()
     assert words.say("window.picture_saved", path="here.png") == "Saved here.png"
     assert words.say("window.picture_saved") == "Saved {path}"
     assert words.say("no.such.text") == "no.such.text"
@@ -183,25 +181,27 @@ def test_places_are_filled_and_what_is_missing_is_left_standing() -> None:
 
 @pytest.mark.parametrize(("unit", "said"), [("m/s", "2.50 m/s"), ("km/h", "9.0 km/h"), ("mph", "5.6 mph")])
 def test_speeds_are_told_in_the_players_unit(unit: str, said: str) -> None:
-    words.tell_speeds_in(unit)
+    words = Words()
+    words.speed_unit = unit
     assert words.speed(2.5) == said
 
 
 def test_a_damaged_catalogue_is_told_and_english_stands_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    words = Words()
     (tmp_path / "de.toml").write_text('[form]\ncancel = "Ab {"\nsave = "Behalten"\nclose = 3\n')
 
     def find(folder: str, name: str) -> Path:
         return tmp_path / name if name == "de.toml" else asset(folder, name)
 
-    monkeypatch.setattr(words, "asset", find)
-    words.catalogue.cache_clear()
+    monkeypatch.setattr(words_module, "asset", find)
+    catalogue_of.cache_clear()
     try:
         assert [error.key for error in words.speak("de")] == ["form.cancel", "form.close"]
         assert words.say("form.save") == "Behalten"
         assert words.say("form.cancel") == "Cancel"
         (tmp_path / "de.toml").write_bytes(b"\xff")
-        words.catalogue.cache_clear()
+        catalogue_of.cache_clear()
         assert len(words.speak("de")) == 1
         assert words.say("form.save") == "Save"
     finally:
-        words.catalogue.cache_clear()
+        catalogue_of.cache_clear()

@@ -16,9 +16,7 @@ from ....physics.simulate import simulate
 from ....physics.values import Shot
 from ...stage.playback import Playback
 from ...wording import ruling_text
-from ...wording.keys import KEYS
-from ...wording.words import say
-from ..messages import Words
+from ..messages import Message
 from ..mode import Mode
 from ..state import PlayState
 
@@ -31,7 +29,7 @@ class DrillMode(Mode):
     def __init__(
         self, state: PlayState, session: DrillSession, leave: Callable[[], None], next_drill: Callable[[], None]
     ) -> None:
-        super().__init__(session)
+        super().__init__(session, state.words)
         self._state = state
         self._leave = leave
         # The run before the stroke that was played last.
@@ -41,7 +39,7 @@ class DrillMode(Mode):
         self._solution: list[Playback] = []
         self._aimed: Aim | None = None
         self.keys = {"same_shot": self._set_up, "next_drill": next_drill, "solution": self._show_solution}
-        self.no_undo = lambda: say("drill.no_undo", key=KEYS.shown("same_shot"))
+        self.no_undo = lambda: self.words.say("drill.no_undo", key=self.words.key("same_shot"))
 
     @property
     def seen(self) -> Run:
@@ -52,21 +50,22 @@ class DrillMode(Mode):
     # What is said.
 
     @property
-    def welcome(self) -> Words:
+    def welcome(self) -> Message:
         return self._goal
 
     @property
-    def standing(self) -> Words:
+    def standing(self) -> Message:
         return self._outcome if self._between else self._goal
 
     def titles(self, pocketed: Sequence[str] | None) -> tuple[str, str]:
+        say = self.words.say
         run = self.seen
         number = len(run.results) + (0 if run.standing.over else 1)
         parts = [say("drill.attempt", number=number, tries=run.drill.tries)]
         parts.append(say("drill.result", result=run.result, most=run.drill.most))
         if self.best is not None:
             parts.append(say("drill.best", best=self.best, most=run.drill.most))
-        return ruling_text.wording(run.drill).name, "   \N{MIDDLE DOT}   ".join(parts)
+        return ruling_text.wording(self.words, run.drill).name, "   \N{MIDDLE DOT}   ".join(parts)
 
     @property
     def step(self) -> Step:
@@ -74,21 +73,22 @@ class DrillMode(Mode):
         return run.drill.steps[min(run.standing.done, len(run.drill.steps) - 1)]
 
     def _goal(self) -> str:
-        keys = say("drill.keys", next=KEYS.shown("next_drill"), solution=KEYS.shown("solution"))
-        return f"{ruling_text.wording(self.session.drill).text} {keys}"
+        keys = self.words.say("drill.keys", next=self.words.key("next_drill"), solution=self.words.key("solution"))
+        return f"{ruling_text.wording(self.words, self.session.drill).text} {keys}"
 
     def _outcome(self) -> str:
+        say = self.words.say
         run = self.session.run
         standing, steps = run.standing, len(run.drill.steps)
         if not standing.over:
             return say("drill.step", done=standing.done, steps=steps)
-        parts = [ruling_text.missed(standing.missed) if standing.missed else say("drill.done")]
+        parts = [ruling_text.missed(self.words, standing.missed) if standing.missed else say("drill.done")]
         if standing.done >= run.drill.goal and (standing.missed or steps > 1):
             parts.append(say("drill.reached"))
         if run.over:
             parts.append(say("drill.over", result=run.result, most=run.drill.most))
             parts += [say("drill.record")] if run.result and self._beaten else []
-        parts.append(say("drill.again", key=KEYS.shown("strike")))
+        parts.append(say("drill.again", key=self.words.key("strike")))
         return " ".join(parts)
 
     @property
@@ -115,7 +115,7 @@ class DrillMode(Mode):
                 self._state.messages.warning = str(error)
         return rollout
 
-    def at_rest(self, shown: Playback) -> Words:
+    def at_rest(self, shown: Playback) -> Message:
         if self._solution:
             return self._show_next()
         self._aim_as_before()
@@ -172,9 +172,9 @@ class DrillMode(Mode):
             self._solution = []
             state.messages.say(str(error))
             return
-        state.messages.show(self._show_next() if self._solution else lambda: say("drill.no_solution"))
+        state.messages.show(self._show_next() if self._solution else lambda: self.words.say("drill.no_solution"))
 
-    def _show_next(self) -> Words:
+    def _show_next(self) -> Message:
         """Show the solution's next stroke; what is said of it."""
         state, shown = self._state, self._solution.pop(0)
         state.hands.put_down()
@@ -185,7 +185,7 @@ class DrillMode(Mode):
             state.hands.aim = Aim.of(shown.shot)
         strokes = len(self.session.drill.solution)
         number = strokes - len(self._solution)
-        return lambda: say("drill.solution", number=number, strokes=strokes)
+        return lambda: self.words.say("drill.solution", number=number, strokes=strokes)
 
     def _aim_as_before(self) -> None:
         """Aim as the player did before the solution was shown."""

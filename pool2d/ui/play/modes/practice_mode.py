@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from ...stage.playback import Playback
 from ...wording import shot_text
-from ...wording.keys import KEYS
-from ...wording.words import say
-from ..messages import Words
+from ..messages import Message
 from ..mode import Mode
 
 
@@ -16,13 +14,13 @@ class PracticeMode(Mode):
     may_arrange = True
 
     @property
-    def welcome(self) -> Words:
-        return lambda: say("play.welcome", help=KEYS.shown("help"))
+    def welcome(self) -> Message:
+        return lambda: self.words.say("play.welcome", help=self.words.key("help"))
 
-    def at_rest(self, shown: Playback) -> Words | None:
+    def at_rest(self, shown: Playback) -> Message | None:
         if shown.again:
             return lambda: ""
         if self.session.in_hand or not shot_text.miscued(shown.rollout):
             cue = self.session.cue.id
-            return lambda: shot_text.outcome(shown.rollout, cue)
+            return lambda: shot_text.outcome(self.words, shown.rollout, cue)
         return None
