@@ -11,11 +11,13 @@ from ._version import __version__
 from .lazy import fetched
 
 if TYPE_CHECKING:
-    from .errors import BudgetError, InputError
+    from .errors import BudgetError, InputError, WorkerError
     from .physics.event import Event
     from .physics.rollout import Rollout
     from .physics.simulate import simulate
     from .physics.values import Ball, Layout, Shot
+    from .study.simulate_many import simulate_many
+    from .study.summaries import Summaries
     from .table.preset import load_table
     from .table.scenario import Scenario, load_scenario
     from .table.table import Table
@@ -23,10 +25,12 @@ else:
     __getattr__, __dir__ = fetched(
         __name__,
         {
-            "errors": ("BudgetError", "InputError"),
+            "errors": ("BudgetError", "InputError", "WorkerError"),
             "physics.rollout": ("Event", "Rollout"),
             "physics.simulate": ("simulate",),
             "physics.values": ("Ball", "Layout", "Shot"),
+            "study.simulate_many": ("simulate_many",),
+            "study.summaries": ("Summaries",),
             "table.preset": ("load_table",),
             "table.scenario": ("Scenario", "load_scenario"),
             "table.table": ("Table",),
@@ -42,9 +46,12 @@ __all__ = [
     "Rollout",
     "Scenario",
     "Shot",
+    "Summaries",
     "Table",
+    "WorkerError",
     "__version__",
     "load_scenario",
     "load_table",
     "simulate",
+    "simulate_many",
 ]

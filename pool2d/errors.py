@@ -1,4 +1,4 @@
-"""The two ways pool2d says no: the input is wrong, or a shot does not end."""
+"""The ways pool2d says no: the input is wrong, a shot does not end, or shots played elsewhere do not come back."""
 
 from __future__ import annotations
 
@@ -32,6 +32,10 @@ class InputError(ValueError):
         said = f"{where}: {_clipped(key, 100)} = {_clipped(_repr(value), 60)}: {allowed}"
         super().__init__(printable(said if key else f"{where}: {allowed}", _LONGEST))
 
+    def __reduce__(self) -> tuple[type[InputError], tuple[object, ...]]:
+        # An error that comes from another process is made again of what it tells.
+        return type(self), (self.source, self.key, self.value, self.allowed, self.line)
+
     def at(self, source: str) -> InputError:
         """The same complaint, said of another source."""
         return type(self)(source, self.key, self.value, self.allowed)
@@ -48,6 +52,24 @@ class BudgetError(RuntimeError):
         self.time = time
         self.scenario = scenario
         super().__init__(f"the shot is not over after {budget} events, at t = {time:.6f} s")
+
+    def __reduce__(self) -> tuple[type[BudgetError], tuple[object, ...]]:
+        return type(self), (self.budget, self.time, self.scenario)
+
+
+class WorkerError(RuntimeError):
+    """Shots were handed to others to play, and did not come back: a process has died, or a cluster cannot be reached.
+
+    `done` is how many of the first shots had come back by then.
+    """
+
+    def __init__(self, done: int, reason: str) -> None:
+        self.done = done
+        self.reason = reason
+        super().__init__(f"the shots after the first {done} did not come back from their worker: {reason}")
+
+    def __reduce__(self) -> tuple[type[WorkerError], tuple[object, ...]]:
+        return type(self), (self.done, self.reason)
 
 
 def suggest(word: str, known: Iterable[str]) -> str:

@@ -16,11 +16,23 @@ from docs import api
 
 ROOT = Path(__file__).resolve().parent.parent
 PROMISED = {
-    "pool2d": "Ball BudgetError Event InputError Layout Rollout Scenario Shot Table load_scenario load_table simulate",
+    "pool2d": "Ball BudgetError Event InputError Layout Rollout Scenario Shot Summaries Table WorkerError "
+    "load_scenario load_table simulate simulate_many",
     "pool2d.game": "Ask Call Choice Concede Contact GAMES Match NextFrame Report Rules Ruling Setup State Stroke "
     "game games_for observe",
 }
-WITH_EXAMPLES = ("load_table", "Layout", "Ball", "Shot", "simulate", "Rollout", "game", "Match", "observe")
+WITH_EXAMPLES = (
+    "load_table",
+    "Layout",
+    "Ball",
+    "Shot",
+    "simulate",
+    "simulate_many",
+    "Rollout",
+    "game",
+    "Match",
+    "observe",
+)
 NAMES = [(package, name) for package in api.PACKAGES for name in api.homes(package)]
 
 

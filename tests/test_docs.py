@@ -82,5 +82,5 @@ def test_the_python_of_a_page_runs(
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(encoding="utf-8"), re.DOTALL)
     assert blocks
     for block in blocks:
-        exec(block, {})
+        exec(block, {"__name__": "__main__"})
         assert capsys.readouterr().out

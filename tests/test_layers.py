@@ -17,7 +17,8 @@ FLOORS = (
     ("pool2d._version", "pool2d.errors", "pool2d.lazy", "pool2d.printable"),
     ("pool2d.config",),
     ("pool2d.physics",),
-    ("pool2d.table", "pool2d"),
+    ("pool2d.table",),
+    ("pool2d.study", "pool2d"),
     ("pool2d.game.rules",),
     ("pool2d.game",),
     ("pool2d.sound", "pool2d.draw"),
@@ -41,7 +42,7 @@ NAMED = ("pool2d", "pool2d.ui")
 GUESTS = {
     "pymunk": ("pool2d.table",),
     "pygame": ("pool2d.sound", "pool2d.draw", "pool2d.ui"),
-    "numpy": ("pool2d.sound", "pool2d.draw", "pool2d.ui"),
+    "numpy": ("pool2d.study", "pool2d.sound", "pool2d.draw", "pool2d.ui"),
 }
 
 

@@ -10,18 +10,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 from ..physics.event import Event
 from ..physics.motion import Motion
 from ..physics.rollout import Rollout
 from ..physics.values import MISCUE, Ball
+from ..table.arrivals import FROZEN, Arrivals, pieces
 from ..table.table import Table
 from .rules.corners import corner_of, lines
-from .rules.report import BALL, FROZEN, POCKET, RAIL, Call, Contact, Report, StrokeFault
+from .rules.report import BALL, POCKET, RAIL, Call, Contact, Report, StrokeFault
 
-# A ball has left a cushion once it has been this far from it, m.
-LEFT = 2e-4
 # How long a tip stays on the cue ball, s: high-speed films show about a millisecond.
 TIP_TIME = 1e-3
 # A ball hit thinner than half full is grazed: the cosine between the cue ball's way and the line of centres.
@@ -55,9 +53,9 @@ class _Reader:
         self.line = table.furniture.head_string
         # How far down and up the table each ball gets.
         self.spans = {ball: _span(track, rollout.duration) for ball, track in rollout.tracks.items()}
-        # When each ball was last on each cushion.
-        self.on_rail = dict.fromkeys(self.frozen(), 0.0)
-        self.frozen_at_start = tuple(self.on_rail)
+        self.arrivals = Arrivals(table, rollout)
+        # Each once, also where a ball lies on a cushion's nose and its end.
+        self.frozen_at_start = tuple(dict.fromkeys(self.frozen()))
 
     def report(self, call: Call) -> Report:
         contacts: list[Contact] = []
@@ -97,24 +95,10 @@ class _Reader:
         for a, b in event.pairs:
             yield Contact(BALL, b, a) if b == self.cue else Contact(BALL, a, b)
         for ball, cushion in event.rails:
-            if self.arrives(ball, cushion, event.t):
+            if self.arrivals.arrives(ball, cushion, event.t):
                 yield Contact(RAIL, ball, cushion)
         if event.kind == "ball_pocket":
             yield Contact(POCKET, event.balls[0], event.where or "")
-
-    def arrives(self, ball: str, cushion: str, t: float) -> bool:
-        """Whether a ball comes to a cushion, rather than being pressed against it where it lay."""
-        last = self.on_rail.get((ball, cushion))
-        self.on_rail[ball, cushion] = t
-        if last is None:
-            return True
-        moments = [moment for _, a, b in _pieces(self.rollout.tracks[ball], last, t) for moment in (a, 0.5 * (a + b))]
-        return any(self.rail_gap(self.rollout.ball_at(ball, moment), cushion) > LEFT for moment in moments)
-
-    def rail_gap(self, ball: Ball, cushion: str) -> float:
-        """How far a ball is from a cushion, m."""
-        reach = self.table.reach(self.table.body_of(ball)[0])
-        return min(e.gap(ball.x, ball.y, reach) for e in self.table.elements if _is_rail(e, cushion))
 
     def frozen(self) -> Iterator[tuple[str, str]]:
         """The balls that lay on a cushion, and which."""
@@ -204,22 +188,10 @@ class _Reader:
         return tuple(ball for ball, (low, high) in self.spans.items() if ball != self.cue and low < line < high)
 
 
-def _is_rail(element: Any, name: str) -> bool:
-    return bool(element.kind == "ball_cushion" and element.name == name)
-
-
-def _pieces(track: list[Motion], start: float, end: float) -> Iterator[tuple[Motion, float, float]]:
-    """The motions of a ball between two times, each with the part of that time in which it holds."""
-    for i, motion in enumerate(track):
-        until = track[i + 1].t0 if i + 1 < len(track) else math.inf
-        if motion.t0 < end and until > start:
-            yield motion, max(motion.t0, start), min(until, end)
-
-
 def _span(track: list[Motion], end: float, u: float = 1.0, v: float = 0.0) -> tuple[float, float]:
     """The least and greatest ux + vy of a ball up to a time."""
     found = []
-    for motion, a, b in _pieces(track, 0.0, end):
+    for motion, a, b in pieces(track, 0.0, end):
         place, speed, bend = (u * along + v * across for along, across in _xy(motion))
         turn = motion.t0 - 0.5 * speed / bend if bend else a
         found += [place + (speed + bend * s) * s for s in (t - motion.t0 for t in (a, min(max(turn, a), b), b))]

@@ -74,6 +74,10 @@ class Table:
             box = shape.bb
             element.left, element.bottom, element.right, element.top = box.left, box.bottom, box.right, box.top
 
+    def __reduce__(self) -> tuple[type[Table], tuple[object, ...]]:
+        # What it was made of is small, and no Space is shared.
+        return type(self), (self.source, self.title, self.base, self.furniture, self.set, self.conditions)
+
     @property
     def physics(self) -> Physics:
         """What the engine reads: the knobs."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import pytest
 from hypothesis import given, reject
 from hypothesis import strategies as st
 
-from pool2d import Ball, InputError, Layout, Table, load_table, simulate
+from pool2d import Ball, BudgetError, InputError, Layout, Table, WorkerError, load_table, simulate
 from pool2d.physics.detect import Jaw, Rail
 from pool2d.physics.values import POCKETED
 from pool2d.table.outline import Corner, distance_to_edge
@@ -209,3 +210,25 @@ def test_distance_to_a_slanting_edge(x: float, y: float, distance: float) -> Non
     edge = (Corner(0.0, 0.0, "a"), Corner(3.0, 4.0, "b"))
     assert distance_to_edge(x, y, edge) == pytest.approx(distance, abs=1e-12)
     assert distance_to_edge(x, y, edge[::-1]) == pytest.approx(distance, abs=1e-12)
+
+
+def test_a_table_goes_to_another_process_as_what_it_was_made_of() -> None:
+    table = load_table("l-shape", {"cloth.mu_roll": 0.0123}, ["worn-cloth"])
+    packed = pickle.dumps(table)
+    back = pickle.loads(packed)
+    assert (back.source, back.title, back.set, back.conditions) == (
+        table.source, table.title, table.set, table.conditions,
+    )  # fmt: skip
+    assert (back.base, back.knobs, back.furniture) == (table.base, table.knobs, table.furniture)
+    assert back.near(0.0, 0.0, 0.1, 0.1) == table.near(0.0, 0.0, 0.1, 0.1) != []
+    assert len(packed) < 8_000
+
+
+def test_errors_come_from_another_process_whole() -> None:
+    for error in (
+        InputError("a.toml", "x", 3, "allowed is 2", 7),
+        BudgetError(5, 1.5, {"table": "x"}),
+        WorkerError(3, "no"),
+    ):
+        back = pickle.loads(pickle.dumps(error))
+        assert (type(back), str(back), vars(back)) == (type(error), str(error), vars(error))

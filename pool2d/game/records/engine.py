@@ -30,6 +30,7 @@ ENGINE = (
 )
 # What a shot means.
 RULES = (
+    "table/arrivals.py",
     "game/rules",
     "game/rules/pool",
     "game/rules/snooker",

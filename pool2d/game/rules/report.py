@@ -7,8 +7,6 @@ from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from ...physics.values import Layout
 
-# Balls and cushions no further apart than this touch, as far as a referee can tell, m.
-FROZEN = 2e-5
 ContactKind: TypeAlias = Literal["ball", "rail", "pocket", "off"]
 BALL: Final = "ball"
 RAIL: Final = "rail"

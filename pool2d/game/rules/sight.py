@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 from ...physics.detect import Jaw
 from ...physics.values import Ball, Layout
+from ...table.arrivals import FROZEN
 from ...table.outline import Point, distance_to_edge, edges
 from ...table.table import Table
-from .report import FROZEN
 
 # What a ball may reach into a line without standing in its way, m: more than rounding, less than can be seen.
 _HAIR = 1e-7

@@ -11,9 +11,10 @@ from typing import ClassVar
 
 from ....config.knobs import choice, knob
 from ....physics.values import POCKETED, Layout
+from ....table.arrivals import FROZEN
 from ..base import YES_NO, Options, Rules
 from ..notes import Note
-from ..report import BALL, FROZEN, RAIL, Report
+from ..report import BALL, RAIL, Report
 from ..ruling import Ruling, State
 from ..scores import added, changed, points, score_notes
 from ..spotting import Spotted, put

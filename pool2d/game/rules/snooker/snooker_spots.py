@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterable
 
 from ....physics.values import Layout
+from ....table.arrivals import FROZEN
 from ....table.outline import Point
 from ....table.table import Table
-from ..report import FROZEN
 from ..spotting import Spotted, near_spot, put
 
 # By value, from 2 to 7.
