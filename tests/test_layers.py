@@ -136,7 +136,7 @@ def test_no_modules_import_each_other_in_a_circle() -> None:
         ("pool2d.table.scenario", "from ..game.session import Session"),
         ("pool2d.game.rules", "import pygame.font"),
         ("pool2d.game.rules", "from ...ui import app"),
-        ("pool2d.draw.pen", "from ..ui.wording.words import say"),
+        ("pool2d.draw.pen", "from ..ui.wording.words import Words"),
         ("pool2d.ui.stage.stage", "from ..play.play import Play"),
         ("pool2d.ui.app", "from ..cli import main"),
         ("pool2d.ui.app", "import scipy"),
