@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import __version__
 from .commands import terminal
+from .compiled import engine
 from .config import catalogue
 from .config.knobs import Knob, apply
 from .errors import BudgetError, InputError
@@ -186,7 +187,7 @@ def _file(text: str, name: str) -> Path:
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="pool2d", description="A 2D pool table whose physics can be trusted.")
-    parser.add_argument("--version", action="version", version=f"pool2d {__version__}")
+    parser.add_argument("--version", action="version", version=f"pool2d {__version__} {engine()}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     def command(name: str, run: Any, text: str) -> argparse.ArgumentParser:

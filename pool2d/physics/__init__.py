@@ -2,3 +2,7 @@
 
 x runs along the table, y across it, z up; angles in degrees counter-clockwise from +x.
 """
+
+from ..compiled import choose
+
+choose()

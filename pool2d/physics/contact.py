@@ -33,6 +33,15 @@ class Met:
         self.rails = rails
         self.pressed = pressed
 
+    def bodies(self) -> list[Body]:
+        """The balls that touched something, in order."""
+        if len(self.rails) == 1 and not self.pairs:
+            return [self.rails[0][0]]
+        found = {body.index: body for pair in self.pairs for body in pair}
+        for body, _ in self.rails:
+            found[body.index] = body
+        return [found[index] for index in sorted(found)]
+
 
 @final
 class Contacts:
@@ -77,11 +86,14 @@ class Contacts:
     def _group(self, first: list[Body], room: float, yielding: float, now: float) -> Group:
         """What the first balls touch, or reach while the impact lasts: `room` away, or a cushion `yielding` away."""
         pairs = linked(first, self.crowd, room, now)
-        balls = {ball.index: ball for ball in first}
-        for a, b, _ in pairs:
-            balls[a.index] = a
-            balls[b.index] = b
-        spans = [(balls[index], yielding if balls[index] in first else room) for index in sorted(balls)]
+        balls = first
+        if len(pairs) > len(first) - 1:
+            found = {ball.index: ball for ball in first}
+            for a, b, _ in pairs:
+                found[a.index] = a
+                found[b.index] = b
+            balls = [found[index] for index in sorted(found)]
+        spans = [(ball, yielding if ball in first else room) for ball in balls]
         cushions = self._cushions_near(spans)
         if not cushions:
             return Group(pairs, [])

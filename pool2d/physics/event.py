@@ -35,12 +35,16 @@ class Event:
     ) -> None:
         self.t = t
         self.kind: EventKind = kind
-        self.balls = tuple(motion.id for motion in new)
+        self.balls = tuple([motion.id for motion in new])
         self.where = where
         self.pairs = pairs
         self.rails = rails
         self._old = old
         self._new = new
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What copies and pickles are made of, as compiled classes have to say."""
+        return Event, (self.t, self.kind, self.where, self._old, self._new, self.pairs, self.rails)
 
     @property
     def before(self) -> dict[str, Ball]:

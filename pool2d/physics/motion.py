@@ -9,7 +9,7 @@ own at 5 mu_sp g / (2R). (Coriolis 1835; Alciatore TP 4.1, TP A.4.)
 from __future__ import annotations
 
 import math
-from typing import Final, final
+from typing import Any, Final, final
 
 from .body import Body
 from .roots import INF
@@ -70,6 +70,11 @@ class Motion:
         self.left = self.right = body.x
         self.bottom = self.top = body.y
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What copies and pickles are made of, as compiled classes have to say: all but the box."""
+        ball = Ball(self.id, self.x, self.y, self.vx, self.vy, self.wx, self.wy, self.wz, self.phase)
+        return _restored, (ball, self.index, self.t0, self.t1, self.hx, self.hy, self.bx, self.by, self.bz)
+
     def move(self, body: Body, t: float) -> None:
         """Bring `body` to where this motion is at time `t`."""
         s = t - self.t0
@@ -116,6 +121,12 @@ class Motion:
             toward_zero(self.wz, self.bz * s),
             self.phase,
         )
+
+
+def _restored(
+    ball: Ball, index: int, t0: float, t1: float, hx: float, hy: float, bx: float, by: float, bz: float
+) -> Motion:
+    return Motion(Body(ball, index, 0.0, 0.0), ball.phase, t0, t1, hx, hy, bx, by, bz)
 
 
 def toward_zero(value: float, by: float) -> float:

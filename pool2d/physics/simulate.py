@@ -158,18 +158,15 @@ class _World:
         """Note a contact, or several that were one."""
         for motion in met.pressed:
             self.follow(motion)
-        bodies: dict[int, Body] = {}
-        for a, b in met.pairs:
-            bodies[a.index] = a
-            bodies[b.index] = b
-        for body, _ in met.rails:
-            bodies[body.index] = body
-        one: EventKind = "ball_ball" if met.pairs else "ball_cushion"
-        kind = "cluster" if len(met.pairs) + len(met.rails) > 1 else one
-        where = ", ".join(dict.fromkeys([name for _, name in met.rails])) or None
         pairs = tuple([(a.id, b.id) for a, b in met.pairs])
         rails = tuple([(body.id, name) for body, name in met.rails])
-        self.record(kind, where, [bodies[index] for index in sorted(bodies)], None, pairs, rails)
+        if len(pairs) + len(rails) > 1:
+            where = ", ".join(dict.fromkeys([name for _, name in rails])) or None
+            self.record("cluster", where, met.bodies(), None, pairs, rails)
+        elif pairs:
+            self.record("ball_ball", None, met.bodies(), None, pairs)
+        else:
+            self.record("ball_cushion", rails[0][1], met.bodies(), None, (), rails)
 
     def record(
         self,

@@ -38,7 +38,7 @@ RANGES: dict[str, Knob] = {
     "radius": Knob(0.028575, 0.01, 0.06, "m", "radius, the table's own where not given"),
     "mass": Knob(0.17, 0.01, 2.0, "kg", "mass, the table's own where not given"),
 }
-_MOTION_RANGES = [RANGES[name] for name in MOTION_FIELDS]
+_LIMITS = [(RANGES[name].lo, RANGES[name].hi, name) for name in MOTION_FIELDS]
 
 
 class Bed(Protocol):
@@ -106,29 +106,29 @@ def _at_rest(ball: Ball) -> Ball:
 def _check(table: Bed, ball: Ball) -> float:
     """The room between a ball and the nearest element, m; raises InputError where the ball may not stand."""
     source = table.source
-    for name, value, knob in zip(MOTION_FIELDS, ball[1:8], _MOTION_RANGES, strict=True):
-        if type(value) is not float or not knob.lo <= value <= knob.hi:
-            knob.check(value, source, f"balls.{ball.id}.{name}")
-    for name in ("radius", "mass"):
-        if (own := getattr(ball, name)) is not None:
-            RANGES[name].check(own, source, f"balls.{ball.id}.{name}")
-    radius = table.body_of(ball)[0]
-    if table.knobs.cushion.nose_height >= 2.0 * radius:
-        allowed = f"a ball must be higher than the cushion's nose, {table.knobs.cushion.nose_height:g} m"
+    for value, (lo, hi, name) in zip(ball[1:8], _LIMITS):  # noqa: B905 - seven of each, for every ball of every shot
+        if type(value) is not float or not lo <= value <= hi:
+            RANGES[name].check(value, source, f"balls.{ball.id}.{name}")
+    if ball.radius is not None:
+        RANGES["radius"].check(ball.radius, source, f"balls.{ball.id}.radius")
+    if ball.mass is not None:
+        RANGES["mass"].check(ball.mass, source, f"balls.{ball.id}.mass")
+    radius, nose = table.body_of(ball)[0], table.knobs.cushion.nose_height
+    if nose >= 2.0 * radius:
+        allowed = f"a ball must be higher than the cushion's nose, {nose:g} m"
         raise InputError(source, f"balls.{ball.id}.radius", radius, allowed)
-    place = (ball.x, ball.y)
     if not table.on_cloth(ball.x, ball.y):
         knobs, reach = table.knobs.table, table.reach(radius)
         allowed = (
             f"the ball is off the table; allowed is x from {reach:.4f} to {knobs.length - reach:.4f} m"
             f" and y from {reach:.4f} to {knobs.width - reach:.4f} m, within the outline"
         )
-        raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
+        raise InputError(source, f"balls.{ball.id}.x, y", (ball.x, ball.y), allowed)
     gap, element = table.element_gap(ball.x, ball.y, radius)
     if gap < -SLACK and element is not None:
         what = "in the pocket" if isinstance(element, Pocket) else "inside the cushion"
         allowed = f"the ball is {what} {element.name}, by {-gap:.3g} m; allowed is none"
-        raise InputError(source, f"balls.{ball.id}.x, y", place, allowed)
+        raise InputError(source, f"balls.{ball.id}.x, y", (ball.x, ball.y), allowed)
     return gap
 
 
@@ -145,15 +145,14 @@ def _neighbours(table: Bed, balls: Sequence[Ball]) -> list[list[int]]:
     """For each ball the earlier ones that it may come to touch while balls are set apart, by their places."""
     far = _REACH + max([2.0 * table.body_of(ball)[0] for ball in balls], default=0.0)
     found: list[list[int]] = [[] for _ in balls]
-    along = sorted(range(len(balls)), key=lambda i: balls[i].x)
-    first = 0
-    for k, i in enumerate(along):
-        _, x, y, *_ = balls[i]
-        while balls[along[first]].x <= x - far:
-            first += 1
-        for j in along[first:k]:
-            if -far < balls[j].y - y < far:
+    # Along the table one after the other: who is near follows soon.
+    row = sorted([(ball.x, ball.y, i) for i, ball in enumerate(balls)])
+    for k, (x, y, i) in enumerate(row, 1):
+        while k < len(row) and row[k][0] < x + far:
+            _, other, j = row[k]
+            if -far < other - y < far:
                 found[max(i, j)].append(min(i, j))
+            k += 1
     for near in found:
         near.sort()
     return found

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import copy
 import math
+import pickle
+from collections.abc import Callable
 
 import pytest
 
@@ -68,12 +70,12 @@ def test_digest_tells_every_difference() -> None:
     assert simulate(TABLE, alone).digest() != simulate(TABLE, moved).digest()
 
 
-@pytest.mark.parametrize("name", ["kind", "where", "balls"])
-def test_digest_tells_what_happened_and_where(name: str) -> None:
+@pytest.mark.parametrize(("name", "value"), [("kind", "another"), ("where", "another"), ("balls", ("another",))])
+def test_digest_tells_what_happened_and_where(name: str, value: object) -> None:
     """Two rollouts in which every ball is moved alike, but by another cushion, say."""
     events = [copy.copy(event) for event in ROLL.events]
     number = next(i for i, event in enumerate(events) if event.where)
-    setattr(events[number], name, "another")
+    setattr(events[number], name, value)
     assert Rollout(ROLL.start, ROLL.tracks, list(ROLL.events), False).digest() == ROLL.digest()
     assert Rollout(ROLL.start, ROLL.tracks, events, False).digest() != ROLL.digest()
 
@@ -89,3 +91,16 @@ def test_layout_is_a_value() -> None:
     assert Ball("a", 1.0, 0.6, 1.0, 2.0, 3.0, 4.0, 5.0, "sliding", 0.03, 0.2).still() == Ball(
         "a", 1.0, 0.6, radius=0.03, mass=0.2
     )
+
+
+@pytest.mark.parametrize(
+    "again", [copy.deepcopy, lambda roll: pickle.loads(pickle.dumps(roll))], ids=["copy", "pickle"]
+)
+def test_a_rollout_can_be_copied_and_sent(again: Callable[[Rollout], Rollout]) -> None:
+    """Its compiled parts too, to the bit."""
+    other = again(ROLL)
+    assert other is not ROLL
+    assert [event.as_dict() for event in other.events] == [event.as_dict() for event in ROLL.events]
+    for t in (0.0, 0.3 * ROLL.duration, ROLL.duration):
+        assert other.at(t) == ROLL.at(t)
+    assert Rollout(other.start, other.tracks, other.events, other.truncated).digest() == ROLL.digest()

@@ -11,7 +11,8 @@ from pathlib import Path
 import pygame
 import pytest
 
-from pool2d import Shot, load_table
+from pool2d import Shot, __version__, load_table
+from pool2d.compiled import engine
 from pool2d.config.settings import Store
 from pool2d.draw import text
 from pool2d.game.records.record import load
@@ -149,6 +150,8 @@ def test_help_lists_every_binding_and_closes(
     assert len(keys(hand.app.words)) >= 15
     for name, does in hands(hand.app.words) + keys(hand.app.words):
         assert name in drawn and does in drawn
+    runs = hand.app.words.say(f"help.{engine()}", version=__version__)
+    assert any(line.startswith("pool2d") and runs.startswith(line.rstrip("…")) for line in drawn)
     window = pygame.Rect(0, 0, *size)
     assert all(window.contains(place) for place in drawn.values())
     hand.key(pygame.K_ESCAPE)

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import pkgutil
-from importlib import import_module
+from importlib import import_module, resources
 
 from .law import BallLaw, CushionLaw
 
 
 def _found() -> tuple[dict[str, BallLaw], dict[str, CushionLaw]]:
     """The laws for balls and for cushions; raises ValueError for one that is not named as its module is."""
-    package = import_module(__package__ or "")
     balls: dict[str, BallLaw] = {}
     cushions: dict[str, CushionLaw] = {}
-    for module in sorted(entry.name for entry in pkgutil.iter_modules(package.__path__)):
+    files = [entry.name for entry in resources.files(__package__ or "").iterdir()]
+    for module in sorted(name.removesuffix(".py") for name in files if name.endswith(".py")):
         kind, _, name = module.partition("_")
         if kind not in ("ball", "cushion") or not name:
             continue

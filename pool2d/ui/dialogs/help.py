@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import pygame
 
+from ... import __version__
+from ...compiled import engine
 from ...draw import shapes, text, theme
 from ..frame import Frame
 from ..scene import Scene
@@ -49,7 +51,11 @@ class Help(Overlay):
         box.center = surface.get_rect().center
         shapes.panel(surface, box, unit)
         x, top = box.left + 3 * unit, box.top + 2 * unit
-        text.draw(surface, self.words.say("help.title"), screen.large, theme.TEXT, (x, top))
+        title = text.draw(surface, self.words.say("help.title"), screen.large, theme.TEXT, (x, top))
+        runs = self.words.say(f"help.{engine()}", version=__version__)
+        right = box.right - 3 * unit
+        runs = text.fitted(runs, page.size, max(0, right - title.right - 2 * unit))
+        text.draw(surface, runs, page.size, theme.TEXT, (right, title.centery), (1.0, 0.5))
         top += 2 * screen.large + unit
         for column in page.columns:
             left, right = _widths(column, page.size)
