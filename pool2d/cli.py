@@ -1,4 +1,4 @@
-"""The command line: play | simulate | render | replay | tables."""
+"""The command line: play | simulate | study | render | replay | tables."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .commands import terminal
 from .compiled import engine
 from .config import catalogue
 from .config.knobs import Knob, apply
-from .errors import BudgetError, InputError
+from .errors import BudgetError, InputError, WorkerError
 
 # Tables and physics are read by the commands themselves: the window opens first.
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 _EVENTS = Knob(0, 1, 1e9, "events", "")
 # Points of all paths together that `--sample` writes.
 _MOST = 2_000_000
+_WORKERS = Knob(0, 1, 60, "processes", "")
 _SHOTS = Knob(0, 1, 1e6, "", "")
 _TABLE = "pool-9ft"
 _STEP = Knob(0.0, 1e-6, 1e6, "s", "")
@@ -42,7 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         status: int = arguments.run(arguments)
         terminal.flush()
         return status
-    except InputError as error:
+    except (InputError, WorkerError) as error:
         terminal.complain(f"pool2d: {error}")
     except BudgetError as error:
         terminal.complain(f"pool2d: {error}; the scenario is {json.dumps(error.scenario)}")
@@ -124,6 +125,16 @@ def _render(arguments: argparse.Namespace) -> int:
     scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
     render.render(scenario, out, _size(arguments.size))
     return 0
+
+
+def _study(arguments: argparse.Namespace) -> int:
+    from .commands import study
+
+    file = Path(arguments.file)
+    out = file.with_suffix(".csv") if arguments.out is None else _file(arguments.out, "--out")
+    workers = None if arguments.workers is None else _whole(_WORKERS, arguments.workers, "--workers")
+    plan = study.Plan(out, _size(arguments.size), workers, arguments.cluster)
+    return study.study(file, plan, _overrides(arguments.set), _conditions(arguments))
 
 
 def _replay(arguments: argparse.Namespace) -> int:
@@ -222,6 +233,13 @@ def _parser() -> argparse.ArgumentParser:
     render.add_argument("file", metavar="FILE", help="a scenario, .toml or .json")
     render.add_argument("out", metavar="OUT.png", help="the picture to write")
     render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
+
+    study = command("study", _study, "Play every shot of a study, on all processors, to a CSV file and pictures.")
+    study.add_argument("file", metavar="FILE", help="a study, .toml: a scenario with [grid] or [noise]")
+    study.add_argument("--out", metavar="OUT", help="results, .csv or .parquet, with their pictures beside (FILE.csv)")
+    study.add_argument("--workers", metavar="N", help="so many processes (one for each processor)")
+    study.add_argument("--cluster", metavar="ADDRESS", help="instead of processes: a Dask scheduler, tcp://host:8786")
+    study.add_argument("--size", default="1280x720", metavar="WxH", help="of the pictures, in pixels (1280x720)")
 
     replay = commands.add_parser("replay", help="Look at a recorded match in a window, verify it, or export a shot.")
     replay.set_defaults(run=_replay)

@@ -42,6 +42,8 @@ NAMED = ("pool2d", "pool2d.ui")
 GUESTS = {
     "pymunk": ("pool2d.table",),
     "pygame": ("pool2d.sound", "pool2d.draw", "pool2d.ui"),
+    "pyarrow": ("pool2d.study.parquet",),
+    "distributed": ("pool2d.commands.study",),
     "numpy": ("pool2d.study", "pool2d.sound", "pool2d.draw", "pool2d.ui"),
 }
 

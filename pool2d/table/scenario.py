@@ -20,7 +20,7 @@ from .position_text import read as read_position
 from .preset import load_table, read_preset
 from .table import Table
 
-_KEYS = ("table", "conditions", "set", "position", "balls", "shot")
+KEYS = ("table", "conditions", "set", "position", "rack", "seed", "balls", "shot")
 _BALL_KEYS = ("id", *MOTION_FIELDS, "radius", "mass")
 _SHOT_KEYS = tuple(Shot.__dataclass_fields__)
 
@@ -45,10 +45,15 @@ def load_scenario(
 
     Raises InputError naming the file, the key, the value and what is allowed.
     """
-    source = str(path)
-    data = _read(Path(path))
+    return read_scenario(_read(Path(path)), str(path), overrides or {}, conditions)
+
+
+def read_scenario(
+    data: Mapping[str, Any], source: str, overrides: Mapping[str, Any], conditions: Sequence[str]
+) -> Scenario:
+    """The scenario that the content of a file tells; `source` names the file. Raises InputError as `load_scenario`."""
     try:
-        return _scenario(data, source, overrides or {}, conditions)
+        return _scenario(data, source, overrides, conditions)
     except InputError as error:
         # A table named in the file is a file of its own, and speaks for itself.
         raise error if error.source.endswith(".toml") and error.source != source else error.at(source) from None
@@ -77,7 +82,7 @@ def _read(path: Path) -> dict[str, Any]:
         raise InputError(str(path), "", None, "a scenario's name ends in .toml or .json")
     data = read_json(path)
     if not isinstance(data, dict):
-        raise InputError(str(path), "", None, "allowed is a JSON object with " + ", ".join(_KEYS))
+        raise InputError(str(path), "", None, "allowed is a JSON object with " + ", ".join(KEYS))
     return data
 
 
@@ -85,13 +90,13 @@ def _scenario(
     data: Mapping[str, Any], source: str, overrides: Mapping[str, Any], conditions: Sequence[str]
 ) -> Scenario:
     """What the keys of a file say; raises InputError."""
-    check_keys(data, _KEYS, source)
+    check_keys(data, KEYS, source)
     text = data.get("position")
     if text is not None and not isinstance(text, str):
         raise InputError(source, "position", text, "allowed is a text such as 'pool-9ft cue@0.6,0.3 1@1.9,0.6'")
     position = Position() if text is None else read_position(text, source)
     table = _table(data, position, source, overrides, conditions)
-    layout = table.settle(_layout(data, position, source))
+    layout = table.settle(_layout(data, position, table, source))
     if "shot" in data:
         return Scenario(table, layout, _shot(data["shot"], layout, source))
     return Scenario(table, layout, _on(position.shot, layout, source))
@@ -119,22 +124,39 @@ def _table(
     return load_table(name, {**position.set, **own, **overrides}, (*position.conditions, *given, *conditions))
 
 
-def _layout(data: Mapping[str, Any], position: Position, source: str) -> Layout:
-    """The balls of a file, and those of its position; raises InputError where there are none, or one is there twice."""
-    if not any(key in data for key in ("table", "position", "balls")):
-        raise InputError(source, "", None, "an empty scenario; needed are balls, or a position")
+def _layout(data: Mapping[str, Any], position: Position, table: Table, source: str) -> Layout:
+    """The balls of a file, and those of its position or rack; raises InputError where there are none, or one twice."""
+    if not any(key in data for key in ("table", "position", "rack", "balls")):
+        raise InputError(source, "", None, "an empty scenario; needed are balls, a position or a rack")
     entries = data.get("balls", [])
     if not isinstance(entries, list) or (not entries and "balls" in data and not position.layout):
         raise InputError(source, "balls", entries, "allowed is a list of balls, one or more")
     if len(entries) > MOST_BALLS:
         raise InputError(source, "balls", len(entries), f"allowed are up to {MOST_BALLS} balls")
-    balls = dict(position.layout)
+    balls, racked = dict(position.layout), _racked(data, position, table, source)
     for number, entry in enumerate(entries):
         ball = _ball(entry, source, f"balls[{number}]")
         if ball.id in balls:
             raise InputError(source, f"balls[{number}].id", ball.id, "another ball has this id")
         balls[ball.id] = ball
-    return Layout(balls.values())
+    # A ball that the file places is not where its rack has it.
+    return Layout({**racked, **balls}.values())
+
+
+def _racked(data: Mapping[str, Any], position: Position, table: Table, source: str) -> Layout:
+    """The balls as the rack that a file names has them; none where it names none. Raises InputError."""
+    name, seed = data.get("rack"), data.get("seed", 0)
+    if type(seed) is not int or seed < 0:
+        raise InputError(source, "seed", seed, "allowed is a whole number from 0")
+    if name is None and "seed" not in data:
+        return Layout()
+    if name is None:
+        raise InputError(source, "seed", seed, "allowed is only with a rack")
+    if not isinstance(name, str) or name not in table.furniture.racks:
+        raise InputError(source, "rack", name, suggest(str(name), table.furniture.racks))
+    if position.layout:
+        raise InputError(source, "rack", name, "allowed is a rack or a position's balls, not both")
+    return table.rack(name, seed)
 
 
 def _ball(entry: Any, source: str, key: str) -> Ball:

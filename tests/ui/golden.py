@@ -25,9 +25,12 @@ from pool2d import load_table
 from pool2d.config.catalogue import TABLES, shipped
 from pool2d.draw import theme
 from pool2d.draw.balls import ball_art
+from pool2d.draw.export import heat_map, rests_picture
 from pool2d.draw.tabletop import table_picture
 from pool2d.draw.view import fit
 from pool2d.game.orientations import racked_orientations
+
+from ..draw import findings
 
 SIZE = (640, 360)
 FOLDER = Path(__file__).parent / "golden"
@@ -64,6 +67,13 @@ def balls(name: str, style: theme.Style = theme.PLAIN) -> pygame.Surface:
     return picture
 
 
+def rests() -> pygame.Surface:
+    """Where a cue ball may have come to rest, on a table with its rack."""
+    table = load_table("pool-7ft")
+    size = table.knobs.table
+    return rests_picture.draw(findings.rests_in_a_ring(size.length, size.width), table, table.rack("eight-ball"), SIZE)
+
+
 def window(name: str) -> pygame.Surface:
     """The whole window at one of the scenes of the documentation."""
     return pictures.draw(picture_scenes.SCENES[name], SIZE)
@@ -74,6 +84,8 @@ SCENES: dict[str, Callable[[], pygame.Surface]] = {
     **{f"balls-{name}": partial(balls, name) for name in shipped(TABLES)},
     **{f"balls-{name}".replace(" ", "-"): partial(balls, "pool-9ft", theme.Style(palette, patterned=True))
        for name, palette in theme.PALETTES.items()},
+    "study-map": lambda: heat_map.draw(findings.map_of_a_ridge(), SIZE),
+    "study-rests": rests,
     **{f"window-{name}": partial(window, name) for name in WINDOWS},
 }  # fmt: skip
 
