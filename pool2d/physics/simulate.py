@@ -36,8 +36,8 @@ class Field(Protocol):
     @property
     def elements(self) -> Sequence[Element]: ...
 
-    def body_of(self, ball: Ball) -> tuple[float, float]:
-        """Radius and mass of a ball, its own or the table's."""
+    def bodies(self, balls: Sequence[Ball]) -> list[Body]:
+        """The balls as the engine moves them, in this order."""
         ...
 
     def settle(self, layout: Layout) -> Layout:
@@ -98,7 +98,8 @@ class _World:
         self.now = 0.0
         self.events: list[Event] = []
         self.queue: list[tuple[float, int, int, int, int]] = []
-        bodies = _bodies(table, layout)
+        # Sorted, so that the order in which balls are given is of no consequence.
+        bodies = table.bodies(sorted(layout.on_table()))
         motions = [start(body, 0.0, self.cloth) for body in bodies]
         self.crowd = Crowd(bodies, motions)
         self.contacts = Contacts(self.crowd, self.elements, made)
@@ -232,18 +233,3 @@ class _World:
         heappush(self.queue, (end, motion.index, own, self.version[motion.index], 0))
         motion.bound(end - now)
         return end
-
-
-def _bodies(table: Field, layout: Layout) -> list[Body]:
-    """The balls on the table, sorted, so that the order in which they are given is of no consequence."""
-    nose = table.physics.cushion.nose_height
-    bodies: list[Body] = []
-    for index, ball in enumerate(sorted(layout.on_table())):
-        radius, mass = table.body_of(ball)
-        bodies.append(Body(ball, index, radius, mass, _reach(radius, nose)))
-    return bodies
-
-
-def _reach(radius: float, nose: float) -> float:
-    """How far from a nose line, in plan, a ball's centre is when it touches: R cos th, sin th = h/R - 1."""
-    return math.sqrt(nose * (2.0 * radius - nose))

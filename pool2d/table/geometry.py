@@ -24,8 +24,8 @@ _STRAIGHT = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class TableKnobs:
-    length: float = knob(2.54, 0.5, 6.0, "m", "length of the playing surface, nose to nose")
-    width: float = knob(1.27, 0.3, 4.0, "m", "width of the playing surface, nose to nose")
+    length: float = knob(2.54, 0.5, 30.0, "m", "length of the playing surface, nose to nose")
+    width: float = knob(1.27, 0.3, 20.0, "m", "width of the playing surface, nose to nose")
     nose_radius: float = knob(0.03, 0.0, 0.5, "m", "rounding of the nose where the outline turns outward")
 
 

@@ -86,17 +86,6 @@ def distance_to_edge(x: float, y: float, edge: Edge) -> float:
     return math.hypot(x - a.x - along * dx, y - a.y - along * dy)
 
 
-def inside(x: float, y: float, polygon: Sequence[Point]) -> bool:
-    """Whether a point is inside a polygon: a ray from it crosses the edge an odd number of times."""
-    found = False
-    bx, by = polygon[-1]
-    for ax, ay in polygon:
-        if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
-            found = not found
-        bx, by = ax, ay
-    return found
-
-
 def _check_names(corners: Sequence[Corner], source: str) -> None:
     """Raises InputError for a name that is used twice: events tell cushions and pockets by name."""
     for names in ([corner.cushion for corner in corners], [corner.pocket for corner in corners if corner.pocket]):

@@ -8,7 +8,9 @@ from typing import Protocol
 
 from ..config.knobs import Knob
 from ..errors import InputError
+from ..physics.body import Body
 from ..physics.detect import Element, Pocket
+from ..physics.standing import Limits, in_range, stand_apart
 from ..physics.values import MOTION_FIELDS, POCKETED, Ball, Layout
 from .table_knobs import Knobs
 
@@ -18,7 +20,7 @@ SLACK = 1e-6
 # An overlap that counts as contact, m: less than the depth at which the engine looks for one.
 CLOSE = 1e-10
 ROUNDS = 2000
-# Of balls that do not overlap there is no table that holds so many of the usual size.
+# Far more than any game has: so many are looked through in some hundredths of a second.
 MOST_BALLS = 2000
 # No ball moves as far as this, m, while balls are set apart: that many overlaps of 2 micrometres take 4 mm.
 _REACH = 0.005
@@ -38,7 +40,10 @@ RANGES: dict[str, Knob] = {
     "radius": Knob(0.028575, 0.01, 0.06, "m", "radius, the table's own where not given"),
     "mass": Knob(0.17, 0.01, 2.0, "kg", "mass, the table's own where not given"),
 }
-_LIMITS = [(RANGES[name].lo, RANGES[name].hi, name) for name in MOTION_FIELDS]
+_LIMITS = Limits(
+    *(RANGES[name].hi for name in ("x", "vx", "wx")),
+    *(bound for name in ("radius", "mass") for bound in (RANGES[name].lo, RANGES[name].hi)),
+)
 
 
 class Bed(Protocol):
@@ -46,8 +51,14 @@ class Bed(Protocol):
 
     source: str
     knobs: Knobs
+    surface: list[tuple[float, float]]
+
+    @property
+    def elements(self) -> Sequence[Element]: ...
 
     def body_of(self, ball: Ball) -> tuple[float, float]: ...
+
+    def bodies(self, balls: Sequence[Ball]) -> list[Body]: ...
 
     def near(self, left: float, bottom: float, right: float, top: float) -> list[int]: ...
 
@@ -77,6 +88,9 @@ def settle(table: Bed, layout: Layout) -> Layout:
     given = sorted(layout.on_table())
     if len(given) > MOST_BALLS:
         raise InputError(table.source, "balls", len(given), f"allowed are up to {MOST_BALLS} balls")
+    if _plain(table, given):
+        return layout
+    # Ball by ball, for what is to be told, or to be set apart.
     gaps = [_check(table, ball) for ball in given]
     apart = all(gap >= -CLOSE for gap in gaps)
     close = _neighbours(table, given)
@@ -84,6 +98,16 @@ def settle(table: Bed, layout: Layout) -> Layout:
         for other in near:
             apart &= _overlap(table, given[other], ball) <= CLOSE
     return layout if apart else layout.put(*_set_apart(table, given, close))
+
+
+def _plain(table: Bed, balls: list[Ball]) -> bool:
+    """Whether all is well at a quick look: most layouts are played again and again."""
+    try:
+        bodies = table.bodies(balls)
+        return in_range(bodies, _LIMITS) and stand_apart(bodies, list(table.elements), table.surface, CLOSE)
+    except TypeError:
+        # A number that is none.
+        return False
 
 
 def mirrored(table: Bed, layout: Layout, ends: bool = False) -> Layout:
@@ -106,13 +130,11 @@ def _at_rest(ball: Ball) -> Ball:
 def _check(table: Bed, ball: Ball) -> float:
     """The room between a ball and the nearest element, m; raises InputError where the ball may not stand."""
     source = table.source
-    for value, (lo, hi, name) in zip(ball[1:8], _LIMITS):  # noqa: B905 - seven of each, for every ball of every shot
-        if type(value) is not float or not lo <= value <= hi:
+    for name in MOTION_FIELDS:
+        RANGES[name].check(getattr(ball, name), source, f"balls.{ball.id}.{name}")
+    for name in ("radius", "mass"):
+        if (value := getattr(ball, name)) is not None:
             RANGES[name].check(value, source, f"balls.{ball.id}.{name}")
-    if ball.radius is not None:
-        RANGES["radius"].check(ball.radius, source, f"balls.{ball.id}.radius")
-    if ball.mass is not None:
-        RANGES["mass"].check(ball.mass, source, f"balls.{ball.id}.mass")
     radius, nose = table.body_of(ball)[0], table.knobs.cushion.nose_height
     if nose >= 2.0 * radius:
         allowed = f"a ball must be higher than the cushion's nose, {nose:g} m"

@@ -20,10 +20,11 @@ from ..physics.body import Body
 from ..physics.detect import Element, Jaw, Pocket, Rail, nearest, time_ball_ball
 from ..physics.motion import Motion
 from ..physics.params import Physics
+from ..physics.standing import inside
 from ..physics.values import MOTION_FIELDS, POCKETED, RESTING, ROLLING, Ball, Layout, Shot
 from .furniture import Furniture, Rack, arrange
 from .geometry import build
-from .outline import inside, scaled
+from .outline import scaled
 from .placing import settle
 from .table_knobs import Knobs
 
@@ -60,9 +61,10 @@ class Table:
             )  # fmt: skip
         size = self.knobs.table
         corners = scaled(furniture.outline, size.length, size.width, source)
-        self._surface = [(corner.x, corner.y) for corner in corners]
+        self.surface = [(corner.x, corner.y) for corner in corners]
         self.geometry = build(corners, size, self.knobs.corner, self.knobs.side, source)
         self._elements = list(self.geometry.elements)
+        self._throats = list(self.geometry.outline)
         # A layout that has been settled last need not be again: it is played, drawn and judged in turn.
         self._settled: Layout | None = None
         self._space = pymunk.Space()
@@ -129,6 +131,17 @@ class Table:
         radius, mass = self.furniture.sizes.get(ball.id) or (self.knobs.ball.radius, self.knobs.ball.mass)
         return radius if ball.radius is None else ball.radius, mass if ball.mass is None else ball.mass
 
+    def bodies(self, balls: Sequence[Ball]) -> list[Body]:
+        """The balls as the engine moves them, in this order."""
+        usual, named = self.knobs.ball, self.furniture.sizes
+        radius, mass, reach = usual.radius, usual.mass, self.reach(usual.radius)
+        made = [Body(ball, i, radius, mass, reach) for i, ball in enumerate(balls)]
+        for body, ball in zip(made, balls, strict=True):
+            if ball.radius is not None or ball.mass is not None or ball.id in named:
+                body.radius, body.mass = self.body_of(ball)
+                body.reach = self.reach(body.radius)
+        return made
+
     def touch(self, a: Ball, b: Ball) -> float:
         """How far apart, in plan, the centres of two balls are that touch: 2 sqrt(R1 R2) on one cloth."""
         return 2.0 * math.sqrt(self.body_of(a)[0] * self.body_of(b)[0])
@@ -155,17 +168,17 @@ class Table:
     # What a person asks.
 
     def reach(self, radius: float) -> float:
-        """How far from a nose, in plan, a ball's centre is when it touches."""
+        """How far from a nose, in plan, a ball's centre is when it touches: R cos th, sin th = h/R - 1."""
         nose = self.knobs.cushion.nose_height
-        return math.sqrt(nose * (2.0 * radius - nose))
+        return math.sqrt(max(0.0, nose * (2.0 * radius - nose)))
 
     def on_surface(self, x: float, y: float) -> bool:
         """Whether a point is on the playing surface, within the noses."""
-        return inside(x, y, self._surface)
+        return inside(x, y, self.surface)
 
     def on_cloth(self, x: float, y: float) -> bool:
         """Whether a point is on the playing surface or in a pocket's throat."""
-        return self.on_surface(x, y) or inside(x, y, self.geometry.outline)
+        return self.on_surface(x, y) or inside(x, y, self._throats)
 
     def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:
         """How far a ball here is from the nearest element, and which; infinite where none is near."""

@@ -55,7 +55,7 @@ BAD = [
     ("[cloth]\nmu_roll = inf", "cloth.mu_roll = inf: allowed is a number from 0.001 to 0.2"),
     ("[cloth]\nmu_roll = '0.01'", "cloth.mu_roll = '0.01': allowed is a number"),
     ("[cloth]\nmu_roll = [0.01]", "cloth.mu_roll = [0.01]: allowed is a number"),
-    ("[table]\nlength = -2.54", "table.length = -2.54: allowed is a number from 0.5 to 6 m"),
+    ("[table]\nlength = -2.54", "table.length = -2.54: allowed is a number from 0.5 to 30 m"),
     ("[ball]\nradius = 0", "ball.radius = 0: allowed is a number from 0.01 to 0.06 m"),
     ("[ball]\nlaw = 'soft'", "ball.law = 'soft': allowed is one of "),
     ("[ball]\nlaw = 1", "ball.law = 1: allowed is one of "),

@@ -131,7 +131,7 @@ def test_a_table_without_marks_has_a_head_spot_at_a_quarter_of_its_length(tmp_pa
         ("[cloth]\nmu_slide = 0.25", "[ball]\nlaw = 'hard'", "ball.law = 'hard': allowed is one of "),
         ('name = "Small"', "name = 3", "name = 3: allowed is a text"),
         ("[table]", "[tables]\n[table]", "tables = {}: unknown; did you mean table?"),
-        ("[table]", "[table.length]\n[cue]", "table.length = {}: allowed is a number from 0.5 to 6 m"),
+        ("[table]", "[table.length]\n[cue]", "table.length = {}: allowed is a number from 0.5 to 30 m"),
         ("sights = 8", "sights = -1", "marks.sights = -1: allowed is a number from 0 to 100"),
         ("sights = 8", "sigths = 8", "marks.sigths = 8: unknown; did you mean sights?"),
         ("head_string = 0.5", "head_string = 'x'", "marks.head_string = 'x': allowed is a number"),

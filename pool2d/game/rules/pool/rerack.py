@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
+from ....physics.standing import inside
 from ....physics.values import POCKETED, Ball, Layout
-from ....table.outline import Corner, Point, distance_to_edge, edges, inside
+from ....table.outline import Corner, Point, distance_to_edge, edges
 from ....table.table import Table
 from ..spotting import KITCHEN, Where, put
 
