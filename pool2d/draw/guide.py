@@ -12,7 +12,7 @@ from ..config.settings import GUIDES
 from ..physics.event import Event
 from ..physics.motion import Motion
 from ..physics.rollout import Rollout
-from ..physics.values import POCKETED, SLIDING, Ball, EventKind
+from ..physics.values import POCKETED, Ball, EventKind
 from ..table.furniture import Look
 from ..table.table import Table
 from . import pen, theme
@@ -23,6 +23,8 @@ from .view import View
 OFF, LINE, GHOST, WHOLE = range(len(GUIDES))
 # Enough events to see past the first contact, also out of a rack.
 EVENTS = 25
+# How far a path that is drawn may be from where the ball goes, px, and one that is asked for, m: less than is seen.
+_PIXELS, _WITHIN = 0.3, 0.0003
 # How far the cue ball's way after the contact is followed, m.
 _AFTER = 0.6
 # How far a line is lighter than its ball, from the ball's own colour to white.
@@ -47,18 +49,18 @@ class Guide:
 
 
 @lru_cache(maxsize=4)
-def foresee(rollout: Rollout, cue: str, length: float = _AFTER) -> Guide:
-    """The guide of a rollout; the cue ball is followed for `length` m after the contact."""
+def foresee(rollout: Rollout, cue: str, length: float = _AFTER, within: float = _WITHIN) -> Guide:
+    """The guide of a rollout, its paths good to `within` m; the cue ball is followed for `length` m after contact."""
     contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))
     if contact is None:
-        return Guide(trace(rollout, cue), None, [], [])
+        return Guide(trace(rollout, cue, within=within), None, [], [])
     hit = next(ball for ball in pair if ball != cue)
     met = next((event.t for event in rollout.events if event.t > contact.t and _meets(event, hit)), math.inf)
     return Guide(
-        trace(rollout, cue, end=contact.t),
+        trace(rollout, cue, end=contact.t, within=within),
         contact.before[cue],
-        trace(rollout, cue, start=contact.t, length=length),
-        trace(rollout, hit, start=contact.t, end=met),
+        trace(rollout, cue, start=contact.t, length=length, within=within),
+        trace(rollout, hit, start=contact.t, end=met, within=within),
     )
 
 
@@ -66,34 +68,47 @@ def _meets(event: Event, ball: str) -> bool:
     return event.kind in _MEETINGS and ball in event.balls
 
 
-def trace(rollout: Rollout, ball: str, start: float = 0.0, end: float = math.inf, length: float = math.inf) -> Line:
-    """The path of a ball between two times, s, as points, m; cut off after `length` m."""
+def trace(
+    rollout: Rollout,
+    ball: str,
+    start: float = 0.0,
+    end: float = math.inf,
+    length: float = math.inf,
+    within: float = _WITHIN,
+) -> Line:
+    """The path of a ball between two times, s, as points, m; cut off after `length` m.
+
+    The straight lines between the points are nowhere farther than `within` m from where the ball goes.
+    """
     points: Line = []
     track = rollout.tracks[ball]
     ends = [*(motion.t0 for motion in track[1:]), rollout.duration]
     for motion, last in zip(track, ends, strict=True):
         t0, t1 = max(start, motion.t0), min(end, last)
-        if t0 < t1 and motion.phase != POCKETED:
-            points += _sampled(motion, t0, t1)
+        if t0 < t1 and not motion.stays():
+            steps = _steps(motion, t0, t1, within)
+            # It begins where the last has ended.
+            first = 1 if points else 0
+            points += [motion.place(t0 + (t1 - t0) * step / steps) for step in range(first, steps + 1)]
     return _cut(points, length)
 
 
 def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
     """Draw as much of the guide as `level` says, from LINE up."""
     scale = _scale(view)
-    _line(surface, theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)
+    lines = [_line(theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)]
+    if level == GHOST:
+        # Above it, the ways on are among those of the whole shot.
+        lines.append(_line(theme.GUIDE_CUE, guide.after, view, 1.8 * scale))
+        lines.append(_line(theme.GUIDE_BALL, guide.object, view, 2.4 * scale))
+    pen.paths(surface, lines)
     if guide.ghost is None or level < GHOST:
         return
     radius = table.body_of(guide.ghost)[0] * view.scale
     centre = view.to_screen(guide.ghost.x, guide.ghost.y)
     pen.disc(surface, (*theme.GUIDE_CUE[:3], 56), centre, radius)
     pen.ring(surface, theme.GUIDE_CUE, centre, radius - 0.5, 1.4 * scale)
-    if level > GHOST:
-        # The ways on are among those of the whole shot.
-        return
-    _line(surface, theme.GUIDE_CUE, guide.after, view, 1.8 * scale)
-    _line(surface, theme.GUIDE_BALL, guide.object, view, 2.4 * scale)
-    if guide.object:
+    if level == GHOST and guide.object:
         pen.disc(surface, theme.GUIDE_BALL, view.to_screen(*guide.object[-1]), 3.0 * scale)
 
 
@@ -112,16 +127,21 @@ def draw_whole(
     """
     scale = _scale(view)
     struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
-    for ball in rollout.layout().values():
-        if len(rollout.tracks.get(ball.id, ())) > 1:
-            look = ball_art.look_of(table, ball.id)
-            color = cue if ball.id in struck else others or _own(look, style)
-            _line(surface, color, trace(rollout, ball.id, 0.0, rollout.duration), view, 1.8 * scale)
-            radius, place = table.body_of(ball)[0] * view.scale, view.to_screen(ball.x, ball.y)
-            if ball.phase == POCKETED:
-                pen.ring(surface, color, place, radius, 2.0 * scale)
-            else:
-                ball_art.draw(surface, ball.id, place, radius, True, look, style=style)
+    moved = [ball for ball in rollout.layout().values() if len(rollout.tracks.get(ball.id, ())) > 1]
+    colors = [cue if ball.id in struck else others or _own(ball_art.look_of(table, ball.id), style) for ball in moved]
+    ways = [trace(rollout, ball.id, within=fineness(view)) for ball in moved]
+    pen.paths(surface, [_line(color, way, view, 1.8 * scale) for color, way in zip(colors, ways, strict=True)])
+    for color, ball in zip(colors, moved, strict=True):
+        if ball.phase == POCKETED:
+            radius = table.body_of(ball)[0] * view.scale
+            pen.ring(surface, color, view.to_screen(ball.x, ball.y), radius, 2.0 * scale)
+    rests = [ball_art.ghost_of(table, view, ball) for ball in moved if ball.phase != POCKETED]
+    ball_art.draw_all(surface, rests, style)
+
+
+def fineness(view: View) -> float:
+    """How far a path may be drawn from where the ball goes, m."""
+    return _PIXELS / view.scale
 
 
 def _own(look: Look, style: theme.Style) -> theme.Color:
@@ -135,11 +155,24 @@ def _scale(view: View) -> float:
     return min(max(1.0, view.scale / 400.0), 2.0)
 
 
-def _sampled(motion: Motion, start: float, end: float) -> Line:
-    """Points along a motion: its ends, and more where it bends."""
-    steps = 10 if motion.phase == SLIDING else 1
-    balls = (motion.at(start + (end - start) * step / steps) for step in range(steps + 1))
-    return [(ball.x, ball.y) for ball in balls]
+def _steps(motion: Motion, start: float, end: float, within: float) -> int:
+    """How many chords of equal time keep `within` m of a motion's path, a parabola.
+
+    The chord of a step of s seconds leaves it by h_n (s/2)^2, where h_n is the part of half the acceleration across
+    the chord: |h x v| over the speed in the middle of the step. Where the ball turns back, the chord misses the turn by
+    what h has along it too.
+    """
+    hx, hy, time = motion.hx, motion.hy, end - start
+    since = 2.0 * (start - motion.t0)
+    vx, vy = motion.vx + hx * since, motion.vy + hy * since
+    wx, wy = vx + 2.0 * hx * time, vy + 2.0 * hy * time
+    across = abs(hx * vy - hy * vx)
+    turns = hx * vx + hy * vy < 0.0 < hx * wx + hy * wy
+    if not turns and across * time**2 <= 4.0 * within * math.hypot(vx + hx * time, vy + hy * time):
+        return 1
+    most, slowest = math.hypot(hx, hy), min(math.hypot(vx, vy), math.hypot(wx, wy))
+    bend = most if turns or across >= most * slowest else across / slowest
+    return max(1, math.ceil(0.5 * time * math.sqrt(bend / within)))
 
 
 def _cut(points: Line, length: float) -> Line:
@@ -154,5 +187,5 @@ def _cut(points: Line, length: float) -> Line:
     return points
 
 
-def _line(surface: pygame.Surface, color: theme.Color, points: Line, view: View, width: float) -> None:
-    pen.path(surface, color, [view.to_screen(x, y) for x, y in points], width)
+def _line(color: theme.Color, points: Line, view: View, width: float) -> pen.Path:
+    return pen.Path(color, [view.to_screen(x, y) for x, y in points], width)

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 import numpy as np
-import numpy.typing as npt
 import pygame
 import pygame.gfxdraw
 
+from . import lines
+from .lines import Path as Path
+from .lines import Point as Point
 from .theme import Color
-
-Point = tuple[float, float]
-
-_Ints = npt.NDArray[np.int64]
-_Floats = npt.NDArray[np.float64]
 
 # Circles are placed to this part of a pixel.
 _STEPS = 4
@@ -27,51 +24,19 @@ _THIN = 6.0
 
 def line(surface: pygame.Surface, color: Color, a: Point, b: Point, width: float = 1.5) -> None:
     """A straight line of any width."""
-    path(surface, color, (a, b), width)
+    paths(surface, [Path(color, (a, b), width)])
 
 
-def path(surface: pygame.Surface, color: Color, points: Sequence[Point], width: float = 1.5) -> None:
-    """A line through several points, of one width at every angle."""
-    if width > _THIN or surface.get_flags() & pygame.SRCALPHA:
-        for a, b in pairwise(points):
-            _bar(surface, color, a, b, width)
-        return
-    pieces = [_thin(a, b, width) for a, b in pairwise(points) if a != b]
-    if not pieces:
-        return
-    x, y, cover = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    clip = surface.get_clip()
-    seen = (x >= clip.left) & (x < clip.right) & (y >= clip.top) & (y < clip.bottom) & (cover > 0.0)
-    x, y, cover = x[seen], y[seen], cover[seen]
-    if not len(x):
-        return
-    # What two pieces cover of a pixel where they meet adds up.
-    places, which = np.unique(x * surface.get_height() + y, return_inverse=True)
-    part = np.minimum(np.bincount(which, cover), 1.0)[:, None] * ((color[3] if len(color) == 4 else 255) / 255.0)
-    x, y = np.divmod(places, surface.get_height())
-    pixels = pygame.surfarray.pixels3d(surface)
-    below = pixels[x, y]
-    pixels[x, y] = np.rint(below + (np.array(color[:3]) - below) * part).astype(np.uint8)
-
-
-def _thin(a: Point, b: Point, width: float) -> tuple[_Ints, _Ints, _Floats]:
-    """The pixels of a thin line, and how much of each it covers, 0 to 1.
-
-    It goes pixel by pixel along the axis that it is nearer to; in each it is as high across as makes its width.
-    """
-    dx, dy = b[0] - a[0], b[1] - a[1]
-    steep = abs(dy) > abs(dx)
-    (u0, v0), (u1, v1) = sorted(((a[1], a[0]), (b[1], b[0])) if steep else (a, b))
-    half = 0.5 * width * math.hypot(dx, dy) / (u1 - u0)
-    u = np.arange(math.floor(u0 + 0.5), math.floor(u1 + 0.5) + 1)
-    first, last = np.maximum(u - 0.5, u0), np.minimum(u + 0.5, u1)
-    v = v0 + (0.5 * (first + last) - u0) * (v1 - v0) / (u1 - u0)
-    rows = np.floor(v - half + 0.5)[:, None] + np.arange(math.ceil(2.0 * half) + 1)
-    cover = np.minimum(v[:, None] + half, rows + 0.5) - np.maximum(v[:, None] - half, rows - 0.5)
-    cover = np.clip(cover, 0.0, 1.0) * (last - first)[:, None]
-    along = np.broadcast_to(u[:, None], rows.shape).ravel().astype(np.int64)
-    across = rows.ravel().astype(np.int64)
-    return (across, along, cover.ravel()) if steep else (along, across, cover.ravel())
+def paths(surface: pygame.Surface, drawn: Iterable[Path]) -> None:
+    """Lines through several points, later ones over earlier ones; many are faster drawn together than one by one."""
+    drawable = lines.drawable(surface)
+    for thin, some in groupby(drawn, lambda path: drawable and path.width <= _THIN):
+        if thin:
+            lines.draw(surface, list(some))
+            continue
+        for path in some:
+            for a, b in pairwise(path.points):
+                _bar(surface, path.color, a, b, path.width)
 
 
 def _bar(surface: pygame.Surface, color: Color, a: Point, b: Point, width: float) -> None:

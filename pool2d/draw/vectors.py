@@ -96,7 +96,7 @@ def _arc(surface: pygame.Surface, ball: Ball, side: float, radius: float, view: 
         angle = math.pi / 2.0 + sense * sweep * i / count
         points.append(view.to_screen(ball.x + 1.5 * radius * math.cos(angle), ball.y + 1.5 * radius * math.sin(angle)))
     thick = 1.4 * _thickness(view)
-    pen.path(surface, SIDE, points[:-1], thick)
+    pen.paths(surface, [pen.Path(SIDE, points[:-1], thick)])
     _head(surface, SIDE, points[-2], _beyond(points[-2], points[-1], 1.0 + 2.0 * thick), thick)
 
 

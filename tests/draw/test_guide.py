@@ -59,11 +59,59 @@ def test_english_squirts_the_cue_ball_away() -> None:
 
 
 def test_an_elevated_cue_makes_the_path_swerve_back() -> None:
-    alone = Layout([CUE])
-    view = seen(Shot(angle=0.0, speed=3.0, side=0.3, elevation=20.0), alone)
-    first = math.atan2(view.cue[1][1] - view.cue[0][1], view.cue[1][0] - view.cue[0][0])
-    later = math.atan2(view.cue[9][1] - view.cue[8][1], view.cue[9][0] - view.cue[8][0])
-    assert later < first
+    line = seen(Shot(angle=0.0, speed=3.0, side=0.3, elevation=20.0), Layout([CUE])).cue
+    assert angle(line[1:3]) < angle(line[:2])
+
+
+def distance(point: tuple[float, float], line: guide.Line) -> float:
+    """How far a point is from a line of several pieces."""
+    found = math.inf
+    for (ax, ay), (bx, by) in pairwise(line):
+        dx, dy = bx - ax, by - ay
+        size = dx * dx + dy * dy
+        part = min(max(((point[0] - ax) * dx + (point[1] - ay) * dy) / size, 0.0), 1.0) if size > 0.0 else 0.0
+        found = min(found, math.dist(point, (ax + part * dx, ay + part * dy)))
+    return found
+
+
+STOPPED = Layout([Ball("cue", 0.6, 0.6), Ball("1", 1.0, 0.6)])
+RACK = TABLE.rack("eight-ball", seed=3)
+# Swerve, draw that turns the ball on its own line and off it, a stop shot, a masse, a break.
+BENT = {
+    "swerve": (Layout([CUE]), Shot(angle=0.0, speed=3.0, side=0.3, elevation=20.0)),
+    "draw": (STOPPED, Shot(speed=3.0, height=-0.4)),
+    "draw, cut": (CUT, Shot(angle=1.0, speed=4.0, height=-0.4)),
+    "stop": (STOPPED, Shot(speed=4.0, height=-0.1)),
+    "masse": (Layout([CUE]), Shot(angle=10.0, speed=3.0, side=0.4, height=-0.2, elevation=75.0)),
+    "break": (RACK, Shot(angle=0.5, speed=7.0)),
+}
+
+
+@pytest.mark.parametrize("name", BENT)
+@pytest.mark.parametrize("within", [0.0003, 0.003])
+def test_the_chords_of_a_trace_stay_within_what_was_asked(name: str, within: float) -> None:
+    rollout = simulate(TABLE, *BENT[name])
+    for ball in rollout.tracks:
+        line = guide.trace(rollout, ball, within=within)
+        for motion, after in pairwise(rollout.tracks[ball]):
+            end = min(after.t0, motion.t1)
+            if motion.t0 < end and not motion.stays():
+                # Its own chords: another part of the way that comes by must not stand in for them.
+                chords = guide.trace(rollout, ball, motion.t0, end, within=within)
+                assert set(chords[1:]) <= set(line)
+                for step in range(41):
+                    place = motion.place(motion.t0 + (end - motion.t0) * step / 40)
+                    assert distance(place, chords) <= within * (1.0 + 1e-6)
+
+
+def test_a_trace_has_few_chords_where_the_way_is_straight() -> None:
+    rollout = simulate(TABLE, *BENT["break"])
+    moved = [motion for track in rollout.tracks.values() for motion in track if not motion.stays()]
+    chords = sum(len(list(pairwise(guide.trace(rollout, ball)))) for ball in rollout.tracks)
+    assert len(moved) <= chords < 3 * len(moved)
+    straight = simulate(TABLE, Layout([CUE]), Shot(angle=30.0, speed=0.5))
+    assert len(straight.tracks["cue"]) == 4
+    assert [len(guide.trace(straight, "cue", m.t0, m.t1)) for m in straight.tracks["cue"][1:3]] == [2, 2]
 
 
 def test_the_way_of_the_cue_ball_after_the_contact_is_cut_to_length() -> None:

@@ -49,10 +49,45 @@ def test_a_way_of_many_pieces_looks_like_one() -> None:
     one, many = pygame.Surface((200, 120)), pygame.Surface((200, 120))
     a, b = (10.2, 20.4), (190.7, 97.3)
     between = [(a[0] + (b[0] - a[0]) * i / 37, a[1] + (b[1] - a[1]) * i / 37) for i in range(38)]
-    pen.path(one, (220, 180, 90), [a, b], 1.6)
-    pen.path(many, (220, 180, 90), between, 1.6)
+    pen.line(one, (220, 180, 90), a, b, 1.6)
+    pen.paths(many, [pen.Path((220, 180, 90), between, 1.6)])
     difference = pygame.surfarray.array3d(one).astype(int) - pygame.surfarray.array3d(many)
     assert abs(difference).max() <= 30
+
+
+def test_many_lines_drawn_together_look_as_if_drawn_one_after_another() -> None:
+    fan = [
+        pen.Path(
+            (255, 40 * i, 0, 255 - 30 * i), [(100.3, 60.1), (10.0 + 40.0 * i, 5.0), (90.0, 100.0 - 9.0 * i)], width
+        )
+        for i, width in enumerate((1.2, 2.0, 7.0, 1.6, 3.0))
+    ]
+    together, apart = pygame.Surface((200, 120)), pygame.Surface((200, 120))
+    for picture in (together, apart):
+        picture.fill((20, 90, 60))
+    pen.paths(together, fan)
+    for path in fan:
+        pen.paths(apart, [path])
+    assert pygame.image.tobytes(together, "RGB") == pygame.image.tobytes(apart, "RGB")
+    pen.paths(apart, reversed(fan))
+    assert pygame.image.tobytes(together, "RGB") != pygame.image.tobytes(apart, "RGB")
+
+
+def test_a_line_goes_over_what_is_there_by_its_colours_own_transparency() -> None:
+    picture = pygame.Surface((40, 40))
+    picture.fill((200, 100, 0))
+    pen.line(picture, (0, 100, 200, 51), (0.0, 20.0), (40.0, 20.0), 3.0)
+    assert picture.get_at((20, 20))[:3] == (160, 100, 40)
+    assert picture.get_at((20, 30))[:3] == (200, 100, 0)
+
+
+@pytest.mark.parametrize(
+    "points", [[], [(5.0, 5.0)], [(5.0, 5.0), (5.0, 5.0)], [(-9.0, 5.0), (-3.0, 5.0)], [(5.0, -3.0), (15.0, -3.5)]]
+)
+def test_a_way_that_is_none_or_out_of_sight_leaves_no_mark(points: list[pen.Point]) -> None:
+    picture = pygame.Surface((20, 20))
+    pen.paths(picture, [pen.Path((255, 255, 255), points)])
+    assert not pygame.surfarray.array3d(picture).any()
 
 
 def test_a_line_stays_within_the_clip() -> None:

@@ -97,6 +97,11 @@ def placed_on(table: Table, view: View, ball: Ball, orientation: Quaternion) -> 
     return Placed(look_of(table, ball.id), centre, radius, orientation)
 
 
+def ghost_of(table: Table, view: View, ball: Ball) -> Placed:
+    """A ball that is not really there, such as where one would come to rest: faint, and without a shadow."""
+    return placed_on(table, view, ball, FACING)._replace(alpha=_FAINT, shadow=False)
+
+
 def look_of(table: Table, ball: str) -> Look:
     """The look of a ball on a table, by its id: as the preset describes it, or the usual one."""
     return table.furniture.looks.get(ball) or usual(ball)

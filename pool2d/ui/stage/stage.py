@@ -107,7 +107,8 @@ class Stage:
         if rollout is not None:
             if level == guide.WHOLE:
                 guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
-            guide.draw(surface, guide.foresee(rollout, ball), level, self.table, self.view)
+            fore = guide.foresee(rollout, ball, within=guide.fineness(self.view))
+            guide.draw(surface, fore, level, self.table, self.view)
 
     def comparison(
         self, surface: pygame.Surface, before: Rollout | None, compared: Rollout | None, now: Rollout | None
