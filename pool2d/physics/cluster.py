@@ -117,11 +117,10 @@ def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSp
             dt = longest
             for spring in springs:
                 dt = min(dt, pace(spring, longest))
-        for spring in springs:
-            spring.press(dt)
-        for spring in springs:
+        closed = [spring for spring in springs if spring.press(dt)]
+        for spring in closed:
             spring.act()
-        if time > dt and _parted(springs):
+        if time > dt and not closed:
             break
         time += dt
     else:
@@ -130,14 +129,6 @@ def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSp
     met = {ball.index: ball for spring in springs if spring.met for ball in spring.balls}
     take_back(list(met.values()), math.fsum([before[index] for index in met]), any(nose.met for nose in noses))
     return [pair for pair in pairs if pair.met], [nose for nose in noses if nose.met]
-
-
-def _parted(springs: list[Spring]) -> bool:
-    """Whether no contact is closed."""
-    for spring in springs:  # noqa: SIM110 - a loop compiles to one; a generator to an object for each step
-        if spring.depth > 0.0:
-            return False
-    return True
 
 
 def _unjam(springs: list[Spring]) -> None:
