@@ -12,7 +12,7 @@ from ..config.settings import GUIDES
 from ..physics.event import Event
 from ..physics.motion import Motion
 from ..physics.rollout import Rollout
-from ..physics.values import POCKETED, Ball, EventKind
+from ..physics.values import POCKETED, ROLLING, SLIDING, Ball, EventKind, Phase
 from ..table.furniture import Look
 from ..table.table import Table
 from . import pen, theme
@@ -21,7 +21,7 @@ from .view import View
 
 # The levels, as the settings name them in this order.
 OFF, LINE, GHOST, WHOLE = range(len(GUIDES))
-# Enough events to see past the first contact, also out of a rack.
+# No more events than these are waited for, but for the whole guide: out of a rack a ball may be long in getting on.
 EVENTS = 25
 # How far a path that is drawn may be from where the ball goes, px, and one that is asked for, m: less than is seen.
 _PIXELS, _WITHIN = 0.3, 0.0003
@@ -29,6 +29,7 @@ _PIXELS, _WITHIN = 0.3, 0.0003
 _AFTER = 0.6
 # How far a line is lighter than its ball, from the ball's own colour to white.
 _LIFT = 0.35
+_MOVING: tuple[Phase, ...] = (SLIDING, ROLLING)
 _MEETINGS: tuple[EventKind, ...] = ("ball_ball", "ball_cushion", "ball_pocket", "cluster")
 
 Line = list[tuple[float, float]]
@@ -48,20 +49,61 @@ class Guide:
     object: Line
 
 
+class Enough:
+    """Says of each event of a shot whether with it all has happened that a guide of some level shows."""
+
+    def __init__(self, level: int, cue: str) -> None:
+        self._level = level
+        self._cue = cue
+        self._hit = ""
+        # The ways that are still of interest after the contact, by ball, and how far the cue ball has come since.
+        self._open: set[str] = set()
+        self._place = (0.0, 0.0)
+        self._gone = 0.0
+
+    def __call__(self, event: Event) -> bool:
+        if self._level == WHOLE:
+            return False
+        if not self._hit:
+            self._hit = hit(event, self._cue)
+            self._open = {self._cue, self._hit} if self._level == GHOST else set()
+            if self._hit:
+                self._place = self._place_of(event)
+            return self._hit != "" and not self._open
+        if self._hit in event.balls and (_meets(event, self._hit) or event.after[self._hit].phase not in _MOVING):
+            self._open.discard(self._hit)
+        if self._cue in event.balls:
+            # No way is shorter than a straight one.
+            before, self._place = self._place, self._place_of(event)
+            self._gone += math.dist(before, self._place)
+            if self._gone >= _AFTER or event.after[self._cue].phase not in _MOVING:
+                self._open.discard(self._cue)
+        return not self._open
+
+    def _place_of(self, event: Event) -> tuple[float, float]:
+        ball = event.after[self._cue]
+        return ball.x, ball.y
+
+
 @lru_cache(maxsize=4)
 def foresee(rollout: Rollout, cue: str, length: float = _AFTER, within: float = _WITHIN) -> Guide:
     """The guide of a rollout, its paths good to `within` m; the cue ball is followed for `length` m after contact."""
-    contact, pair = next(((event, pair) for event in rollout.events for pair in event.pairs if cue in pair), (None, ()))
+    contact = next((event for event in rollout.events if hit(event, cue)), None)
     if contact is None:
         return Guide(trace(rollout, cue, within=within), None, [], [])
-    hit = next(ball for ball in pair if ball != cue)
-    met = next((event.t for event in rollout.events if event.t > contact.t and _meets(event, hit)), math.inf)
+    ball = hit(contact, cue)
+    met = next((event.t for event in rollout.events if event.t > contact.t and _meets(event, ball)), math.inf)
     return Guide(
         trace(rollout, cue, end=contact.t, within=within),
         contact.before[cue],
         trace(rollout, cue, start=contact.t, length=length, within=within),
-        trace(rollout, hit, start=contact.t, end=met, within=within),
+        trace(rollout, ball, start=contact.t, end=met, within=within),
     )
+
+
+def hit(event: Event, ball: str) -> str:
+    """The ball that `ball` touches first in an event; empty where it touches none."""
+    return next((b if a == ball else a for a, b in event.pairs if ball in (a, b)), "")
 
 
 def _meets(event: Event, ball: str) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from heapq import heappop, heappush
 from typing import Any, Final, Protocol, final
 
@@ -50,12 +50,19 @@ class Field(Protocol):
 
 
 def simulate(
-    table: Field, layout: Layout, shot: Shot | None = None, *, events: int | None = None, budget: int = BUDGET
+    table: Field,
+    layout: Layout,
+    shot: Shot | None = None,
+    *,
+    events: int | None = None,
+    until: Callable[[Event], bool] | None = None,
+    budget: int = BUDGET,
 ) -> Rollout:
     """Play `layout` from its velocities and, where given, a shot, until every ball is at rest.
 
-    `events` stops after that many events. Raises InputError where the shot's ball is not on the table
-    or the shot is out of range, BudgetError where the shot takes more than `budget` events.
+    `events` stops after that many events, `until` after the first that it says True of. Raises InputError where the
+    shot's ball is not on the table or the shot is out of range, BudgetError where the shot takes more than `budget`
+    events.
 
     Examples:
         >>> from pool2d import Ball, Layout, Shot, load_table, simulate
@@ -65,16 +72,24 @@ def simulate(
         [('ball_pocket', '1'), ('ball_pocket', 'cue')]
         >>> simulate(load_table("pool-9ft"), layout, Shot(angle=90.0, speed=1.5), events=2).truncated
         True
+        >>> shot = Shot(angle=90.0, speed=1.5)
+        >>> roll = simulate(load_table("pool-9ft"), layout, shot, until=lambda event: event.kind == "ball_ball")
+        >>> roll.events
+        [<0.000000 cue_ball cue>, <0.257281 ball_ball 1 cue>]
     """
     layout = table.settle(layout)
     world = _World(table, layout)
     if shot is not None:
         world.strike(shot)
     limit = budget if events is None else min(events, budget)
-    while len(world.events) < limit and world.advance():
-        pass
+    stop = False
+    while not stop and len(world.events) < limit:
+        seen = len(world.events)
+        if not world.advance():
+            break
+        stop = until is not None and len(world.events) > seen and until(world.events[-1])
     truncated = world.advance(look=True)
-    if truncated and limit != events:
+    if truncated and limit != events and not stop:
         raise BudgetError(budget, world.now, table.scenario(layout, shot))
     return Rollout(layout, {track[0].id: track for track in world.tracks}, world.events, truncated)
 

@@ -8,11 +8,13 @@ from itertools import pairwise
 import pygame
 import pytest
 
-from pool2d import Ball, Layout, Shot, load_table, simulate
+from pool2d import Ball, Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.draw import guide
 from pool2d.draw.balls import ball_art
 from pool2d.draw.view import fit
 from pool2d.physics.values import POCKETED
+
+from ..scenes import random_shot
 
 TABLE = load_table("pool-9ft")
 CUE = Ball("cue", 0.635, 0.5)
@@ -25,7 +27,12 @@ def angle(line: guide.Line) -> float:
 
 
 def seen(shot: Shot, layout: Layout = CUT) -> guide.Guide:
-    return guide.foresee(simulate(TABLE, layout, shot, events=guide.EVENTS), "cue")
+    return guide.foresee(short(layout, shot), "cue")
+
+
+def short(layout: Layout, shot: Shot, level: int = guide.GHOST, table: Table = TABLE) -> Rollout:
+    """As much of a shot as the guide of a level needs."""
+    return simulate(table, layout, shot, until=guide.Enough(level, "cue"))
 
 
 def test_the_ghost_ball_touches_the_ball_it_will_hit() -> None:
@@ -40,7 +47,7 @@ def test_the_ghost_ball_touches_the_ball_it_will_hit() -> None:
 
 def test_without_friction_the_object_ball_leaves_along_the_line_of_centres() -> None:
     smooth = TABLE.with_knobs({"ball.law": "frictionless"})
-    view = guide.foresee(simulate(smooth, CUT, Shot(angle=1.0, speed=2.0), events=guide.EVENTS), "cue")
+    view = guide.foresee(short(CUT, Shot(angle=1.0, speed=2.0), table=smooth), "cue")
     assert view.ghost is not None
     line = math.degrees(math.atan2(CUT["1"].y - view.ghost.y, CUT["1"].x - view.ghost.x))
     assert angle(view.object[:2]) == pytest.approx(line, abs=1e-6)
@@ -115,7 +122,7 @@ def test_a_trace_has_few_chords_where_the_way_is_straight() -> None:
 
 
 def test_the_way_of_the_cue_ball_after_the_contact_is_cut_to_length() -> None:
-    view = guide.foresee(simulate(TABLE, CUT, Shot(angle=1.0, speed=4.0), events=guide.EVENTS), "cue", length=0.3)
+    view = guide.foresee(short(CUT, Shot(angle=1.0, speed=4.0)), "cue", length=0.3)
     assert sum(math.dist(a, b) for a, b in pairwise(view.after)) == pytest.approx(0.3)
 
 
@@ -133,6 +140,18 @@ def test_the_object_balls_line_ends_where_it_comes_to_rest() -> None:
     shot = Shot(angle=1.8, speed=0.6)
     end = simulate(TABLE, CUT, shot).layout()["1"]
     assert seen(shot).object[-1] == pytest.approx((end.x, end.y), abs=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_what_the_guide_shows_is_the_same_of_as_much_of_a_shot_as_it_asks_for(seed: int) -> None:
+    layout, shot = random_shot(TABLE, seed, 2 + seed % 9)
+    whole = simulate(TABLE, layout, shot)
+    full, part = guide.foresee(whole, "cue"), short(layout, shot)
+    assert guide.foresee(part, "cue") == full
+    assert [event.t for event in part.events] == [event.t for event in whole.events[: len(part.events)]]
+    line = short(layout, shot, guide.LINE)
+    assert guide.foresee(line, "cue").cue == full.cue
+    assert len(short(layout, shot, guide.WHOLE).events) == len(whole.events)
 
 
 def test_a_trace_meets_the_rollout() -> None:

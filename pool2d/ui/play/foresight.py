@@ -17,16 +17,18 @@ class Foresight:
 
     def __init__(self) -> None:
         self._key: Hashable = None
+        self._level = guide.OFF
         self._rollout: Rollout | None = None
 
     def rollout(self, table: Table, level: int, layout: Layout, shot: Shot) -> Rollout | None:
         """The shot as far as a guide of this level needs it; None where it cannot be played."""
-        events = None if level == guide.WHOLE else guide.EVENTS
-        key = (layout, table, shot, events)
-        if key != self._key:
-            self._key = key
+        level = max(level, guide.LINE)
+        key = (layout, table, shot)
+        if key != self._key or level > self._level:
+            self._key, self._level = key, level
+            events = None if level == guide.WHOLE else guide.EVENTS
             try:
-                self._rollout = simulate(table, layout, shot, events=events)
+                self._rollout = simulate(table, layout, shot, events=events, until=guide.Enough(level, shot.ball))
             except (InputError, BudgetError):
                 self._rollout = None
         return self._rollout
@@ -34,5 +36,5 @@ class Foresight:
     def first_hit(self, table: Table, level: int, layout: Layout, shot: Shot) -> str:
         """The ball that a shot would meet first; empty where it meets none."""
         rollout = self.rollout(table, level, layout, shot)
-        pairs = [pair for event in rollout.events for pair in event.pairs if shot.ball in pair] if rollout else []
-        return next((ball for ball in pairs[0] if ball != shot.ball), "") if pairs else ""
+        hits = (guide.hit(event, shot.ball) for event in rollout.events) if rollout else ()
+        return next(filter(None, hits), "")

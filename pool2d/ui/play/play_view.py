@@ -102,7 +102,8 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
         _area(surface, state, stage.view)
         stage.in_hand(surface, held, state.in_hand.may_stand(session))
     elif aiming:
-        shot = hands.aim.shot(session.cue.id, hands.aim.speed)
+        # The shot of the guide, so that one is worked out; before the cue is drawn back far enough, the one of before.
+        shot = hands.aim.shot(session.cue.id, hands.speed or hands.aim.speed)
         aimed = state.first_hit(shot) if state.calls.pocket else ""
         controller.call_strip.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
         cue.draw(surface, session.table, session.cue, hands.aim, cue_motion.stand(hands.drawn), stage.view)

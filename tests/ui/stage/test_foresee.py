@@ -53,6 +53,32 @@ def test_the_same_shot_is_worked_out_once(counted: list[int]) -> None:
     assert foresight.rollout(TABLE, guide.LINE, layout(), SHOT) is first
 
 
+def test_no_more_of_a_shot_is_worked_out_than_is_shown(counted: list[int]) -> None:
+    foresight = Foresight()
+    seen = [
+        len(roll.events)
+        for level in (guide.OFF, guide.LINE, guide.GHOST, guide.WHOLE)
+        if (roll := foresight.rollout(TABLE, level, layout(), SHOT))
+    ]
+    # The stroke and the contact; what both balls meet next; all of it.
+    assert seen[0] == seen[1] == 2 < seen[2] < seen[3]
+    # What sees farther serves for less.
+    assert len(counted) == 3
+    assert foresight.first_hit(TABLE, guide.OFF, layout(), SHOT) == "1" and len(counted) == 3
+
+
+def test_the_cue_drawn_back_with_a_pocket_called_takes_one_shot_a_frame(two: Hand, counted: list[int]) -> None:
+    two.play.state.calls.pocket = two.play.state.session.table.geometry.pockets[0].name
+    two.point(1.2, 0.6)
+    two.press()
+    two.pull(60.0)
+    counted.clear()
+    for frame in range(1, 4):
+        two.pull(20.0)
+        assert two.play.state.hands.speed > 0.0
+        assert len(counted) == frame
+
+
 def test_other_balls_in_the_place_of_those_that_are_gone_are_foreseen_anew() -> None:
     foresight = Foresight()
     for x in (1.4, 1.5, 1.6, 1.7, 1.8) * 20:
