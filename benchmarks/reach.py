@@ -20,7 +20,6 @@ from functools import _lru_cache_wrapper
 from pathlib import Path
 from typing import Any
 
-import coverage
 import hypothesis
 import numpy
 import pymunk
@@ -28,6 +27,8 @@ import pytest
 
 with contextlib.redirect_stdout(None):
     import pygame
+
+from .lines import Lines
 
 LOADED = (hypothesis, numpy, pymunk, pygame)
 # A changed program may ask for all memory there is; it gets so much, bytes.
@@ -40,20 +41,20 @@ class Watch:
 
     def __init__(self, out: Path) -> None:
         self._out = out
-        self._coverage = coverage.Coverage(data_file=None, config_file=False, source_pkgs=["pool2d"], messages=False)
+        self._lines = Lines()
         self._seconds: dict[str, float] = defaultdict(float)
         self._failed: set[str] = set()
         self._file = ""
 
     def pytest_configure(self) -> None:
-        self._coverage.start()
+        self._lines.start(Path.cwd() / "pool2d")
 
     @pytest.hookimpl(wrapper=True)
     def pytest_make_collect_report(self, collector: pytest.Collector) -> Iterator[Any]:
         # What a file of tests does when it is imported, all its tests build on.
-        self._coverage.switch_context(collector.nodeid if isinstance(collector, pytest.Module) else "")
+        self._lines.switch(collector.nodeid if isinstance(collector, pytest.Module) else "")
         report = yield
-        self._coverage.switch_context("")
+        self._lines.switch("")
         return report
 
     @pytest.hookimpl(wrapper=True)
@@ -61,9 +62,9 @@ class Watch:
         if file_of(item.nodeid) != self._file:
             self._file = file_of(item.nodeid)
             _forget()
-        self._coverage.switch_context(item.nodeid)
+        self._lines.switch(item.nodeid)
         done = yield
-        self._coverage.switch_context("")
+        self._lines.switch("")
         return done
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
@@ -72,14 +73,9 @@ class Watch:
             self._failed.add(report.nodeid)
 
     def pytest_sessionfinish(self) -> None:
-        self._coverage.stop()
-        data = self._coverage.get_data()
         lines: dict[str, dict[str, list[int]]] = defaultdict(lambda: defaultdict(list))
-        for path in data.measured_files():
-            name = Path(path).relative_to(Path.cwd()).as_posix()
-            for line, contexts in data.contexts_by_lineno(path).items():
-                for context in filter(None, contexts):
-                    lines[context][name].append(line)
+        for context, path, line in self._lines.stop():
+            lines[context][Path(path).relative_to(Path.cwd()).as_posix()].append(line)
         self._out.write_text(json.dumps({"seconds": self._seconds, "failed": sorted(self._failed), "lines": lines}))
 
 
@@ -146,8 +142,8 @@ def _become(tree: Path, log: Path) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     scratch = tree.with_name(f"{tree.name}-scratch")
     scratch.mkdir(exist_ok=True)
-    # Random tests repeat on a build machine; and what tests leave behind goes with the tree.
-    os.environ.update(CI="1", TMPDIR=str(scratch))
+    # Random tests repeat on a build machine; what tests leave behind goes with the tree; and what runs is the source.
+    os.environ.update(CI="1", TMPDIR=str(scratch), POOL2D_INTERPRETED="1")
     os.chdir(tree)
     sys.path[0] = str(tree)
     for name in [name for name in sys.modules if name.partition(".")[0] in _OURS]:

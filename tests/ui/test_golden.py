@@ -19,11 +19,13 @@ def test_every_golden_picture_belongs_to_a_scene() -> None:
     assert {path.stem for path in golden.FOLDER.glob("*.png")} == set(golden.SCENES)
 
 
-@pytest.mark.parametrize("spoil", ["a pocket", "a shade"])
+@pytest.mark.parametrize("spoil", ["a pocket", "a shade", "a mark"])
 def test_a_difference_is_found_and_shown(spoil: str, tmp_path: Path) -> None:
     picture = golden.empty("carom-10ft")
     if spoil == "a pocket":
         pygame.draw.circle(picture, (0, 0, 0), (320, 40), 10)
+    elif spoil == "a mark":
+        pygame.draw.rect(picture, (255, 255, 255), (320, 180, 4, 2))
     else:
         picture.fill((3, 3, 3), special_flags=pygame.BLEND_RGB_ADD)
     pygame.image.save(picture, tmp_path / "carom-10ft.png")

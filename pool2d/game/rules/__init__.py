@@ -26,8 +26,8 @@ def _found() -> Iterator[type[Rules[Any]]]:
         for entry in iter_modules(import_module(family).__path__):
             module = import_module(f"{family}.{entry.name}")
             for kind in vars(module).values():
-                own = getattr(kind, "__module__", "") == module.__name__ and "title" in vars(kind)
-                if own and isinstance(kind, type) and issubclass(kind, Rules):
+                rules = isinstance(kind, type) and issubclass(kind, Rules) and "title" in vars(kind)
+                if rules and kind.__module__ == module.__name__:
                     yield kind
 
 
