@@ -40,7 +40,7 @@ FOLDER = Path(__file__).parent / "golden"
 MEAN, MOST, FEW = 1.0, 40.0, 0.0005
 # So that a mark or a line of small print counts, too: how large a part of the picture is looked at by itself, in
 # pixels, and how many of its pixels may differ by more.
-PART, ODD = 32, 5
+PART, ODD = 32, 16
 # How many balls of a set stand side by side.
 _ACROSS = 8
 # The scenes of the documentation of which the whole window is compared.

@@ -25,7 +25,7 @@ def test_a_difference_is_found_and_shown(spoil: str, tmp_path: Path) -> None:
     if spoil == "a pocket":
         pygame.draw.circle(picture, (0, 0, 0), (320, 40), 10)
     elif spoil == "a mark":
-        pygame.draw.rect(picture, (255, 255, 255), (320, 180, 4, 2))
+        pygame.draw.rect(picture, (255, 255, 255), (320, 180, 8, 4))
     else:
         picture.fill((3, 3, 3), special_flags=pygame.BLEND_RGB_ADD)
     pygame.image.save(picture, tmp_path / "carom-10ft.png")
