@@ -39,8 +39,7 @@ class Arrivals:
     def _gap(self, ball: Ball, cushion: str) -> float:
         """How far a ball is from a cushion, m."""
         reach = self._table.reach(self._table.body_of(ball)[0])
-        rails = (e for e in self._table.elements if e.name == cushion and e.kind == "ball_cushion")
-        return min(rail.gap(ball.x, ball.y, reach) for rail in rails)
+        return min([rail.gap(ball.x, ball.y, reach) for rail in self._table.rails[cushion]])
 
 
 def pieces(track: Sequence[Motion], start: float, end: float) -> Iterator[tuple[Motion, float, float]]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import pymunk
@@ -89,6 +90,15 @@ class Table:
     def elements(self) -> tuple[Element, ...]:
         """Noses, jaws and pockets, in the order that `near` counts them."""
         return self.geometry.elements
+
+    @cached_property
+    def rails(self) -> dict[str, list[Element]]:
+        """The noses, facings and jaws that a ball can come to, by the cushion or jaw that they are of."""
+        named: dict[str, list[Element]] = {}
+        for element in self.elements:
+            if element.kind == "ball_cushion":
+                named.setdefault(element.name, []).append(element)
+        return named
 
     def with_knobs(self, overrides: Mapping[str, Any]) -> Table:
         """A copy with dotted knobs set on top of what was set before; raises InputError."""

@@ -52,7 +52,7 @@ def test_a_study_on_a_cluster_ends_in_the_same_bytes(cluster: Any, tmp_path: Pat
 
 def test_a_cluster_that_ends_is_told() -> None:
     with (
-        distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None, processes=False) as cluster,
+        distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=":0", processes=False) as cluster,
         distributed.Client(cluster) as client,
         pytest.raises(WorkerError, match=r"the shots after the first \d+ did not come back"),
     ):
