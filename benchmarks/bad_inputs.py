@@ -2,10 +2,10 @@
 
     python -m benchmarks.bad_inputs --inputs 10000
 
-Good presets, conditions, scenarios, positions, records, settings, drills and best results are spoiled: cut, noise put
-in, lines lost or repeated, values put in place of others. Each goes through the command line or the reader that the
-window uses. Nothing but InputError may come of it: a status of 0, 1 or 2, no more than one line of complaint, and
-nothing printed that a terminal would obey.
+Good presets, conditions, scenarios, studies and their results, positions, records, settings, drills and best results
+are spoiled: cut, noise put in, lines lost or repeated, values put in place of others. Each goes through the command
+line or the reader that the window uses. Nothing but InputError may come of it: a status of 0, 1 or 2, no more than one
+line of complaint, and nothing printed that a terminal would obey.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from pool2d import InputError, Shot, load_table
+from pool2d import Ball, InputError, Layout, Shot, load_table, simulate_many
 from pool2d.cli import main as command
 from pool2d.config.catalogue import CONDITIONS, DRILLS, TABLES, find, shipped
 from pool2d.config.settings import Store
@@ -37,8 +37,25 @@ from pool2d.game.records.record import seal
 from pool2d.game.records.recorder import record
 from pool2d.game.rules.report import Call
 from pool2d.game.setup import Setup
+from pool2d.study.results import Results, header
+from pool2d.study.study_file import load_study
 from pool2d.table.position_text import write
 
+_STUDY = b"""rack = "nine-ball"
+seed = 3
+[shot]
+speed = 8.0
+[grid]
+angle = { from = -1.0, to = 1.0, count = 5 }
+side = [-0.1, 0.0, 0.1]
+[noise]
+speed = 0.2
+[study]
+shots = 10
+seed = 1
+map = ["angle", "speed"]
+outcome = "potted.9"
+"""
 # In processor time, s, so that a busy machine is no fault.
 _SLOW = 1.0
 _WORDS = (
@@ -102,7 +119,8 @@ class Inputs:
     def __init__(self, folder: Path, rng: random.Random) -> None:
         self.folder = folder
         self.rng = rng
-        table = load_table("pool-9ft")
+        self.table = table = load_table("pool-9ft")
+        self.layout = Layout([Ball("cue", 0.6, 0.6), Ball("1", 1.9, 0.6)])
         self.position = write(table.rack("nine-ball", 1), Shot(angle=3.0, speed=4.0), table)
         self.takers: dict[str, tuple[str, list[bytes], Callable[[Path], int]]] = {
             "preset": (".toml", self._files(TABLES), lambda path: command(["tables", "--check", str(path)])),
@@ -110,6 +128,8 @@ class Inputs:
             "conditions": (".toml", self._files(CONDITIONS), self._condition),
             "scenario": (".toml", self._scenarios(), self._simulate),
             "json": (".json", [json.dumps(table.scenario(table.rack("nine-ball"), Shot())).encode()], self._simulate),
+            "study": (".toml", [_STUDY], self._study),
+            "results": (".csv", [self._results()], self._go_on),
             "position": (".txt", [self.position.encode()], self._position),
             "record": (".jsonl", [self._record()], self._replay),
             "settings": (".toml", [_SETTINGS], self._settings),
@@ -137,6 +157,15 @@ class Inputs:
         told = f'position = "{self.position}"\nset = {{ "cloth.mu_roll" = 0.02 }}\nconditions = ["heated"]\n'
         return [plain.encode(), told.encode()]
 
+    def _results(self) -> bytes:
+        path = self.folder / "good.csv"
+        with Results(path, self._nothing(), "abc") as results:
+            results.add(simulate_many(self.table, self.layout, [Shot(speed=1.0), Shot(ball="9"), Shot(angle=30.0)]))
+        return path.read_bytes()
+
+    def _nothing(self) -> tuple[str, ...]:
+        return header(simulate_many(self.table, self.layout, []))
+
     def _record(self) -> bytes:
         path = self.folder / "good.jsonl"
         match = Match(load_table("pool-9ft"), Setup("nine-ball", names=("Ann", "Bo"), breaker=0, seed=2))
@@ -152,6 +181,14 @@ class Inputs:
 
     def _simulate(self, path: Path) -> int:
         return command(["simulate", "--events", "5", str(path)])
+
+    def _study(self, path: Path) -> int:
+        next(load_study(path, {}, []).sweep.shots())
+        return 0
+
+    def _go_on(self, path: Path) -> int:
+        with Results(path, self._nothing(), "abc"):
+            return 0
 
     def _position(self, path: Path) -> int:
         words = path.read_bytes().decode("utf-8", "surrogateescape")

@@ -35,10 +35,8 @@ class Progress:
 
     def end(self) -> None:
         """Leave the line, so that what is told next has one of its own."""
-        if self._on:
-            self._stream.write("\n")
-            self._stream.flush()
-            self._on = False
+        self._write("\n")
+        self._on = False
 
     def line(self) -> str:
         """What it says: how much is done, how fast, and how long the rest will take."""
@@ -54,11 +52,18 @@ class Progress:
         return f"[{'#' * full}{'.' * (room - full)}]{said}"
 
     def _draw(self) -> None:
+        self._drawn = self._clock()
+        # The rest of the line is erased.
+        self._write(f"\r{self.line()}\x1b[K")
+
+    def _write(self, text: str) -> None:
         if self._on:
-            self._drawn = self._clock()
-            # The rest of the line is erased.
-            self._stream.write(f"\r{self.line()}\x1b[K")
-            self._stream.flush()
+            try:
+                self._stream.write(text)
+                self._stream.flush()
+            except (OSError, ValueError):
+                # The terminal has gone. What it looked at goes on.
+                self._on = False
 
 
 def _rate(rate: float) -> str:

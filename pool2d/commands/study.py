@@ -101,8 +101,13 @@ def _played(asked: Study, rows: results.Results, plan: Plan) -> bool:
     shots = islice(asked.sweep.shots(), rows.count, None)
     progress = Progress(total, rows.count)
     try:
-        with _players(plan) as executor:
-            for part in each_chunk(asked.table, asked.layout, shots, executor=executor, workers=plan.workers):
+        with (
+            _players(plan) as executor,
+            contextlib.closing(
+                each_chunk(asked.table, asked.layout, shots, executor=executor, workers=plan.workers)
+            ) as parts,
+        ):
+            for part in parts:
                 rows.add(part)
                 progress.went(len(part))
     except KeyboardInterrupt:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from concurrent.futures import Executor
 from itertools import chain, islice
 
@@ -61,7 +61,7 @@ def each_chunk(
     executor: Executor | None = None,
     chunk: int | None = None,
     workers: int | None = None,
-) -> Iterator[Summaries]:
+) -> Generator[Summaries, None, None]:
     """The summaries of `simulate_many` in pieces as they come, from so many `workers` where there is no executor."""
     if chunk is not None and (type(chunk) is not int or chunk < 1):
         raise InputError("simulate_many", "chunk", chunk, "allowed is a whole number from 1")

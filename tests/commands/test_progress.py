@@ -66,5 +66,14 @@ def test_nobody_else_sees_it() -> None:
     assert stream.getvalue() == ""
 
 
+def test_a_terminal_that_goes_is_no_reason_to_stop() -> None:
+    stream = Terminal()
+    progress = Progress(10, 0, stream, Clock())
+    stream.close()
+    progress.went(10)
+    progress.end()
+    assert progress.done == 10
+
+
 def test_nothing_to_do_is_done() -> None:
     assert "100 %  0 of 0" in Progress(0, 0, Terminal(), Clock()).line()

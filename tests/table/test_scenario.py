@@ -162,9 +162,27 @@ def test_bad_scenarios_are_told_in_one_line(tmp_path: Path, old: str, new: str, 
     assert complaint(path).startswith(f"{path}: {words}")
 
 
+def test_a_rack_sets_up_what_is_not_placed(tmp_path: Path) -> None:
+    racked = load_scenario(write(tmp_path, 'rack = "nine-ball"\nseed = 3\n')).layout
+    assert racked == load_table("pool-9ft").rack("nine-ball", 3)
+    assert load_scenario(write(tmp_path, 'rack = "nine-ball"\n')).layout == load_table("pool-9ft").rack("nine-ball")
+    moved = load_scenario(write(tmp_path, 'rack = "nine-ball"\nseed = 3\nballs = [{id = "cue", x = 0.5, y = 0.3}]\n'))
+    assert moved.layout == racked.put(Ball("cue", 0.5, 0.3))
+
+
 @pytest.mark.parametrize(
     ("name", "content", "words"),
     [
+        ("a.toml", b"rack = 'nineball'", "rack = 'nineball': unknown; did you mean nine-ball?"),
+        ("a.toml", b"rack = 3", "rack = 3: unknown; known are"),
+        ("a.toml", b"rack = 'nine-ball'\nseed = -1", "seed = -1: allowed is a whole number from 0"),
+        ("a.toml", b"rack = 'nine-ball'\nseed = 1.5", "seed = 1.5: allowed is a whole number from 0"),
+        ("a.toml", b"seed = 1\ntable = 'pool-9ft'", "seed = 1: allowed is only with a rack"),
+        (
+            "a.toml",
+            b"rack = 'nine-ball'\nposition = 'cue@1,0.5'",
+            "rack = 'nine-ball': allowed is a rack or a position's",
+        ),
         ("a.toml", b"", "an empty scenario; needed are balls, a position or a rack"),
         ("a.json", b"{}", "an empty scenario; needed are balls, a position or a rack"),
         ("a.toml", b"set = {}", "an empty scenario; needed are balls, a position or a rack"),
