@@ -64,6 +64,25 @@ def test_balls_sink_into_the_pocket_they_fell_into_and_turn_on() -> None:
     assert math.dist(steps[1][1:3], steps[0][1:3]) <= 1.05 * math.hypot(rim.vx, rim.vy) * DROP / 20.0
 
 
+def test_a_fast_ball_is_over_the_middle_of_the_hole_sooner() -> None:
+    corners = [name for name in HOLES if "side" not in name]
+    reached = []
+    for speed in (0.3, 0.9, 6.0):
+        rollout = simulate(TABLE, Layout([toward("1", corners[0], 0.3, speed)]))
+        event, turning = rollout.events[-1], BallRotation(rollout, {})
+        hole = HOLES[event.where or ""]
+        moments = [DROP * i / 100.0 for i in range(100)]
+        falls = [falling(rollout, turning, POCKETS, event.t + s)[0] for s in moments]
+        there = [
+            s for s, fall in zip(moments, falls, strict=True) if math.dist((fall.x, fall.y), (hole.x, hole.y)) < 1e-9
+        ]
+        reached.append(there[0])
+    slow, medium, fast = reached
+    # At most a fifth of a second, at least some frames.
+    assert slow == pytest.approx(0.2, abs=0.004) and fast == pytest.approx(0.06, abs=0.004)
+    assert fast < medium < slow
+
+
 def test_the_fallen_are_told_in_order_once_they_are_out_of_sight() -> None:
     rollout = two_fall()
     first, second = (event.t for event in rollout.events if event.kind == "ball_pocket")
