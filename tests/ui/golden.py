@@ -96,6 +96,7 @@ SCENES: dict[str, Callable[[], pygame.Surface]] = {
     "study-rests": rests,
     **{f"window-{name}": partial(window, name) for name in WINDOWS},
     **{f"widgets-{unit}": partial(widget_sheet.sheet, unit) for unit in (7, 12)},
+    "widgets-scrolled": widget_sheet.scrolled,
 }  # fmt: skip
 
 
