@@ -31,6 +31,7 @@ from pool2d.draw.view import fit
 from pool2d.game.orientations import racked_orientations
 
 from ..draw import findings
+from . import parts_sheet
 from .widgets import widget_sheet
 
 SIZE = (640, 360)
@@ -97,6 +98,9 @@ SCENES: dict[str, Callable[[], pygame.Surface]] = {
     **{f"window-{name}": partial(window, name) for name in WINDOWS},
     **{f"widgets-{unit}": partial(widget_sheet.sheet, unit) for unit in (7, 12)},
     "widgets-scrolled": widget_sheet.scrolled,
+    "scoreboards": parts_sheet.scoreboards,
+    "notes": parts_sheet.notes,
+    "controls": parts_sheet.controls,
 }  # fmt: skip
 
 

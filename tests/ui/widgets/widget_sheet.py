@@ -89,5 +89,6 @@ def scrolled() -> pygame.Surface:
     hinted = next(widget for widget in form.widgets if widget.hint and widget.rect.top > form.rect.centery)
     form.handle(pygame.event.Event(pygame.MOUSEMOTION, pos=hinted.rect.center))
     form.update(1.0)
+    surface.fill((0, 0, 0))
     form.draw(surface)
     return surface
