@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
+from typing import Any
 
 import pygame
 
@@ -23,7 +24,7 @@ GAMES = {
     "three-cushion": "carom-10ft",
 }  # fmt: skip
 # What a game's state may hold of its players.
-STANDING = {
+STANDING: dict[str, Any] = {
     "scores": (47, 8), "fouls": (2, 1), "groups": ("solids", "stripes"), "pockets": ("bottom-left", "top-right"),
     "innings": (3, 12), "left": 51, "turn": 1,
 }  # fmt: skip
@@ -33,7 +34,7 @@ def standing(match: Match, player: int, over: bool = False) -> Moment:
     """A moment in the middle of a frame, a player's turn."""
     ruling = match.now.ruling
     known = {field.name for field in fields(ruling.state)}
-    state = replace(ruling.state, **{name: value for name, value in STANDING.items() if name in known})
+    state: Any = replace(ruling.state, **{name: value for name, value in STANDING.items() if name in known})
     state = replace(state, ask=replace(state.ask, player=player, kind="over" if over else state.ask.kind))
     tallies = tuple(replace(tally, frames=2 - i, run=3 * i) for i, tally in enumerate(match.now.tallies))
     return replace(match.now, ruling=ruling._replace(state=state), tallies=tallies)
