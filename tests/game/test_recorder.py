@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import subprocess
 import sys
@@ -104,6 +105,30 @@ def test_a_record_is_never_written_over(tmp_path: Path) -> None:
         record(new_match("practice", 3), path / "b.jsonl")
     with pytest.raises(InputError, match="cannot be read: No such file"):
         resume(tmp_path / "none.jsonl")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such locks")
+def test_where_nothing_can_be_locked_no_match_is_recorded_and_nothing_is_left(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import fcntl
+
+    def refuse(*_: object) -> None:
+        raise OSError(errno.EAGAIN, "busy")
+
+    monkeypatch.setattr(fcntl, "flock", refuse)
+    with pytest.raises(InputError):
+        record(new_match("practice", 3), tmp_path / "a.jsonl")
+    assert list(tmp_path.glob("*.jsonl")) == []
+
+
+def test_a_record_is_begun_by_its_first_action(tmp_path: Path) -> None:
+    with record(new_match("nine-ball", 3), tmp_path / "a.jsonl") as recorder:
+        assert not recorder.begun
+        played_on(recorder, 1, seed=1)
+        assert recorder.begun
+    with resume(tmp_path / "a.jsonl") as recorder:
+        assert recorder.begun
 
 
 def test_records_begun_in_the_same_second_have_names_of_their_own() -> None:

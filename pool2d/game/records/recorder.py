@@ -111,15 +111,15 @@ def record(match: Match, path: Path | None = None) -> Recorder:
     recorder = Recorder(match, given, file)
     try:
         _lock(file, given)
+        recorder._write(header(match))
+        if recorder.fault is not None:
+            raise recorder.fault
     except InputError:
         recorder.close()
-        raise
-    recorder._write(header(match))
-    if recorder.fault is not None:
         # Without its first line a file is no record.
         with contextlib.suppress(OSError):
             given.unlink()
-        raise recorder.fault
+        raise
     _flush_folder(given.parent)
     return recorder
 

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from pool2d import Ball, Layout, load_table
-from pool2d.game.rules.spotting import CLEAR, KITCHEN, D, Where, nearest, spot_balls, within
+from pool2d.game.rules.spotting import CLEAR, KITCHEN, D, Where, foot_spot, nearest, spot_balls, within
 from pool2d.physics.values import POCKETED
 
 TABLE, SNOOKER = load_table("pool-9ft"), load_table("snooker-12ft")
@@ -90,3 +90,11 @@ def test_areas(where: Where, x: float, y: float, there: bool) -> None:
 )
 def test_the_d(dx: float, dy: float, there: bool) -> None:
     assert within(SNOOKER, D, 0.737 + dx, 0.889 + dy) == there
+
+
+def test_a_table_without_a_foot_spot_has_it_as_far_from_the_foot_as_the_head_spot_from_the_head() -> None:
+    for name in ("english-7ft", "snooker-12ft"):
+        table = load_table(name)
+        x, y = table.furniture.spots["head"]
+        assert foot_spot(table) == (table.knobs.table.length - x, y)
+    assert foot_spot(TABLE) == (X, Y)
