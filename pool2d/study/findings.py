@@ -19,8 +19,12 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 # shots in most cells.
 _STEPS = (5, 25)
 _IN_A_CELL = 10
+# Where fewer shots than this happen to fall into a cell, their mean says nothing.
+_FEWEST = 5
 # The side of a square in which rests are counted, m: a pixel of a large picture.
 CELL = 0.002
+# How far outside the noses rests are counted, m: some balls lie on a pocket's shelf.
+MARGIN = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +37,7 @@ class Axis:
 
 @dataclass(frozen=True, slots=True)
 class HeatMap:
-    """An outcome's mean in each cell of two axes, (rows of y, columns of x); nan where there is no shot."""
+    """An outcome's mean in each cell of two axes, (rows of y, columns of x); nan where it is not known."""
 
     x: Axis
     y: Axis
@@ -43,7 +47,7 @@ class HeatMap:
 
 @dataclass(frozen=True, slots=True)
 class Rests:
-    """How often the struck ball came to rest in each square of `CELL`, from the table's origin: (along y, along x)."""
+    """How often the struck ball came to rest in each square of `CELL`: (along y, along x), from `MARGIN` outside."""
 
     ball: str
     counts: Floats
@@ -68,7 +72,7 @@ def columns_of(study: Study) -> tuple[str, ...]:
 def findings(study: Study, rows: Iterable[Mapping[str, str]]) -> Findings:
     """Go through the results once."""
     ball, size = study.sweep.base.ball, study.table.knobs.table
-    counts = np.zeros((round(size.width / CELL) + 1, round(size.length / CELL) + 1))
+    counts = np.zeros(tuple(cell_of(side + MARGIN) + 1 for side in (size.width, size.length)))
     heat = _Heat(study) if study.axes else None
     shots = failed = 0
     for number, row in enumerate(rows):
@@ -79,10 +83,13 @@ def findings(study: Study, rows: Iterable[Mapping[str, str]]) -> Findings:
         if heat:
             heat.add(number, row)
         if row[f"{ball}.x"]:
-            # One that hangs in a pocket's throat may be a little outside.
-            place = round(float(row[f"{ball}.y"]) / CELL), round(float(row[f"{ball}.x"]) / CELL)
-            counts[tuple(np.clip(place, 0, np.subtract(counts.shape, 1)))] += 1.0
+            counts[cell_of(float(row[f"{ball}.y"])), cell_of(float(row[f"{ball}.x"]))] += 1.0
     return Findings(heat.map() if heat else None, Rests(ball, counts), shots, failed)
+
+
+def cell_of(place: float) -> int:
+    """The square that a place lies in, along either side, by its distance from the table's origin, m."""
+    return round((place + MARGIN) / CELL)
 
 
 class _Heat:
@@ -103,7 +110,8 @@ class _Heat:
 
     def map(self) -> HeatMap:
         mean = np.full_like(self.sums, np.nan)
-        np.divide(self.sums, self.shots, out=mean, where=self.shots > 0.0)
+        fewest = 1 if self.x.in_grid and self.y.in_grid else _FEWEST
+        np.divide(self.sums, self.shots, out=mean, where=self.shots >= fewest)
         return HeatMap(self.x.axis, self.y.axis, self.outcome.title, mean)
 
 
@@ -113,7 +121,8 @@ class _Side:
     def __init__(self, sweep: Sweep, name: str) -> None:
         self.sweep = sweep
         self.name = name
-        if name in sweep.grid:
+        self.in_grid = name in sweep.grid
+        if self.in_grid:
             values = sweep.grid[name]
             order = sorted(range(len(values)), key=values.__getitem__)
             self.rank = {place: rank for rank, place in enumerate(order)}
@@ -127,7 +136,7 @@ class _Side:
 
     def place(self, number: int, row: Mapping[str, str]) -> int | None:
         """The cell; None for a shot that errs so far that it lies outside the map."""
-        if self.name in self.sweep.grid:
+        if self.in_grid:
             return self.rank[self.sweep.place(self.name, number)]
         value = float(row[self.name])
         if not self.edges[0] <= value <= self.edges[-1]:

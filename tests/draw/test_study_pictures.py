@@ -12,7 +12,7 @@ from pool2d import Ball, Layout, load_table
 from pool2d.draw.export import heat_map, rests_picture
 from pool2d.draw.export.ramp import colors
 from pool2d.draw.view import fit
-from pool2d.study.findings import CELL, Axis, HeatMap, Rests
+from pool2d.study.findings import Axis, HeatMap, Rests, cell_of
 
 from .findings import ANGLES, SPEEDS, map_of_a_ridge, rests_in_a_ring
 
@@ -90,10 +90,10 @@ def test_what_colours_mean_is_told_to_a_hundredth(value: float, span: float, sai
 
 
 def test_a_rest_is_bright_where_it_was_and_the_more_the_brighter() -> None:
-    counts = np.zeros((636, 1271))
+    counts = np.zeros((736, 1371))
     places = {(0.6, 0.3): 1.0, (1.2, 0.9): 10.0, (2.0, 0.5): 100.0}
     for (x, y), count in places.items():
-        counts[round(y / CELL), round(x / CELL)] = count
+        counts[cell_of(y), cell_of(x)] = count
     layout = Layout([Ball("cue", 1.27, 0.3)])
     picture = rests_picture.draw(Rests("cue", counts), TABLE, layout, SIZE)
     empty = rests_picture.draw(Rests("cue", np.zeros_like(counts)), TABLE, layout, SIZE)

@@ -10,10 +10,11 @@ from concurrent.futures import Executor, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from pool2d import InputError, Summaries, simulate_many
-from pool2d.study.findings import CELL, columns_of, findings
+from pool2d.study.findings import MARGIN, cell_of, columns_of, findings
 from pool2d.study.results import Results, header, rows
 from pool2d.study.simulate_many import each_chunk
 from pool2d.study.study_file import load_study
@@ -144,8 +145,11 @@ def test_what_only_errs_is_mapped_by_what_was_played(tmp_path: Path) -> None:
             for row in told
             if abs(float(row["angle"]) - x) < 0.3 + 1e-9 and abs(float(row["elevation"]) - y) < 0.3 + 1e-9
         ]
-        assert seen.heat.mean[j, i] == pytest.approx(sum(inside) / len(inside)) if inside else True
-        assert bool(inside) == math.isfinite(seen.heat.mean[j, i])
+        # A handful of shots at least, or nothing is said of them.
+        assert (len(inside) >= 5) == math.isfinite(seen.heat.mean[j, i])
+        if len(inside) >= 5:
+            assert seen.heat.mean[j, i] == pytest.approx(sum(inside) / len(inside))
+    assert 0 < np.isnan(seen.heat.mean).sum() < 20
 
 
 def test_rests_are_counted_where_they_are(tmp_path: Path) -> None:
@@ -153,7 +157,8 @@ def test_rests_are_counted_where_they_are(tmp_path: Path) -> None:
     places = [(float(row["cue.x"]), float(row["cue.y"])) for row in told if row["cue.x"]]
     assert seen.rests.counts.sum() == len(places)
     for x, y in places:
-        assert seen.rests.counts[round(y / CELL), round(x / CELL)] >= 1.0
+        assert seen.rests.counts[cell_of(y), cell_of(x)] >= 1.0
+    assert seen.rests.counts.shape == (cell_of(1.27 + MARGIN) + 1, cell_of(2.54 + MARGIN) + 1)
     assert (seen.shots, seen.failed) == (SHOTS, sum(bool(row["error"]) for row in told))
     assert 0 < seen.failed < SHOTS
 

@@ -10,7 +10,7 @@ import pygame
 
 from ...game.orientations import racked_orientations
 from ...physics.values import Layout
-from ...study.findings import CELL, Rests
+from ...study.findings import CELL, MARGIN, Rests
 from ...table.table import Table
 from .. import text, theme
 from ..balls import ball_art
@@ -36,6 +36,12 @@ def draw(rests: Rests, table: Table, layout: Layout, size: tuple[int, int]) -> p
     view = fit(table.knobs.table.length, table.knobs.table.width, (0, strip, size[0], size[1] - strip))
     picture = table_picture.window_copy(table_picture.draw(table, size, view))
     picture.fill([round(255 * _LIGHT)] * 3, special_flags=pygame.BLEND_RGB_MULT)
+    radius = table.body_of(layout[rests.ball])[0]
+    rows, columns = rests.counts.shape
+    left, top = view.to_screen(-0.5 * CELL - MARGIN, (rows - 0.5) * CELL - MARGIN)
+    area = (round(columns * CELL * view.scale), round(rows * CELL * view.scale))
+    cloud = pygame.transform.smoothscale(_cloud(_blurred(rests.counts, _BLOT * radius / CELL)), area)
+    picture.blit(cloud, (round(left), round(top)))
     lies = racked_orientations(layout)
     ball_art.draw_all(
         picture,
@@ -47,12 +53,6 @@ def draw(rests: Rests, table: Table, layout: Layout, size: tuple[int, int]) -> p
             for ball in layout.on_table()
         ],
     )  # fmt: skip
-    radius = table.body_of(layout[rests.ball])[0]
-    rows, columns = rests.counts.shape
-    left, top = view.to_screen(-0.5 * CELL, (rows - 0.5) * CELL)
-    area = (round(columns * CELL * view.scale), round(rows * CELL * view.scale))
-    cloud = pygame.transform.smoothscale(_cloud(_blurred(rests.counts, _BLOT * radius / CELL)), area)
-    picture.blit(cloud, (round(left), round(top)))
     name = "the cue ball" if rests.ball == table.furniture.cue else f"ball {rests.ball}"
     said = f"where {name} comes to rest, in {int(rests.counts.sum())} shots"
     corner = (view.to_screen(0.0, 0.0)[0], 0.5 * strip)
@@ -74,9 +74,9 @@ def _blurred(counts: npt.NDArray[np.float64], radius: float) -> npt.NDArray[np.f
 
 
 def _cloud(near: npt.NDArray[np.float64]) -> pygame.Surface:
-    """A picture of how many are near each place, by its logarithm: lonely rests are seen beside crowded ones."""
+    """A picture of how many are near each place, by its root: lonely rests are seen beside crowded ones."""
     most = near.max(initial=0.0)
-    share = np.log(np.maximum(near, 1.0)) / math.log(most) if most > 1.0 else np.zeros_like(near)
+    share = np.sqrt((np.maximum(near, 1.0) - 1.0) / max(most - 1.0, 1.0))
     cloud = pygame.Surface(near.shape[::-1], pygame.SRCALPHA)
     pygame.surfarray.pixels3d(cloud)[...] = colors(_LEAST + (1.0 - _LEAST) * share)[::-1].transpose(1, 0, 2)
     pygame.surfarray.pixels_alpha(cloud)[...] = np.where(near > 0.0, 255, 0).astype(np.uint8)[::-1].T
