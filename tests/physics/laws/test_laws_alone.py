@@ -36,6 +36,20 @@ def test_a_smooth_corner_gives_back_what_each_of_its_cushions_does(law: str, e: 
     assert (-after.vx / before.vx, -after.vy / before.vy) == pytest.approx((kept, kept), abs=5e-3)
 
 
+@pytest.mark.parametrize("law", CUSHION_LAWS)
+@pytest.mark.parametrize("e", [0.1, 0.5, 0.92])
+def test_a_smooth_corner_is_much_like_each_of_its_cushions_alone(law: str, e: float) -> None:
+    """Whichever the law, and wherever the nose stands: only what the cloth takes meanwhile is another."""
+    table = load_table("carom-10ft", {"cushion.law": law, "cushion.friction": 0.0, "cushion.restitution": e})
+    kept = []
+    for vy in (-2.0, 0.0):
+        events = simulate(table, Layout([Ball("white", 0.4, 0.4, -2.0, vy)])).events
+        hit = next(event for event in events if event.kind in ("ball_cushion", "cluster"))
+        assert hit.kind == ("cluster" if vy else "ball_cushion")
+        kept.append(-hit.after["white"].vx / hit.before["white"].vx)
+    assert kept[0] == pytest.approx(kept[1], rel=0.06)
+
+
 def test_a_dead_nose_that_lifts_gives_nothing_back() -> None:
     """Han's law would leave the ball in it: it parts with a breath of speed, from a corner as from one cushion."""
     table = load_table("carom-10ft", {"cushion.law": "han2005", "cushion.friction": 0.0, "cushion.restitution": 0.0})
