@@ -61,10 +61,11 @@ def test_pointing_out_says_it_and_takes_it_back(session: Session) -> None:
 
 def test_keys_go_through_all_of_them_both_ways_and_through_none(session: Session) -> None:
     calls = Calls()
-    for go, choices, said in (
+    ways: Any = (
         (calls.next_ball, calls.balls(session), lambda: calls.ball),
         (calls.next_pocket, calls.pockets(session), lambda: calls.pocket),
-    ):
+    )
+    for go, choices, said in ways:
         seen = []
         for _ in (*choices, ""):
             go(session)
