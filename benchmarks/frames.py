@@ -1,12 +1,13 @@
 """How long starting and frames take, drawn in software: `python -m benchmarks.frames [WxH]`.
 
 Prints the time from starting Python to the splash and to the end of the first frame, without a kept picture of the
-table and with one; then frames at rest, while aiming (the guide is simulated anew each frame), of a break with all
-that can be shown, and while the camera comes nearer for the first time. What presenting a frame took is told apart,
-with the part of the window that was presented: it is the screen's driver that does it. Without a screen that is
-nothing; SDL_VIDEODRIVER=x11 measures it on one. Beside the clock's time stands the processor's, of all threads
-together, which tells the truth on a machine that has other things to do. As machines, and one machine from minute to
-minute, differ in speed, each line ends with the median over the time that a loop of 100,000 additions took just then.
+table and with one; then frames at rest, while aiming (the guide is simulated anew each frame) anywhere and, with the
+whole shot as the guide, at a full rack, of a break with all that can be shown, and while the camera comes nearer for
+the first time. What presenting a frame took is told apart, with the part of the window that was presented: it is the
+screen's driver that does it. Without a screen that is nothing; SDL_VIDEODRIVER=x11 measures it on one. Beside the
+clock's time stands the processor's, of all threads together, which tells the truth on a machine that has other things
+to do. As machines, and one machine from minute to minute, differ in speed, each line ends with the median over the time
+that a loop of 100,000 additions took just then.
 """
 
 from __future__ import annotations
@@ -19,7 +20,10 @@ import tempfile
 import time
 import timeit
 from collections.abc import Callable, Sequence
+from itertools import count
 from typing import Any
+
+from .machine import memory
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ["SDL_AUDIODRIVER"] = "dummy"
@@ -42,11 +46,12 @@ def main(size: tuple[int, int]) -> None:
             _tell("splash, " + name, [start[:2] for start in starts])
             _tell("ready, " + name, [start[2:] for start in starts])
         _frames(size)
-    print(f"memory at most {_memory():.0f} MiB")
+    print(f"memory at most {memory():.0f} MiB")
 
 
 def _frames(size: tuple[int, int]) -> None:
     from pool2d import load_table
+    from pool2d.draw import guide
     from pool2d.ui.app import App
 
     app = App(load_table("pool-9ft"), seed=3, size=size)
@@ -56,6 +61,12 @@ def _frames(size: tuple[int, int]) -> None:
 
     def turn() -> None:
         hands.aim = hands.aim.turned(0.7)
+        app.redraw()
+
+    square, sways = hands.aim, count()
+
+    def sway() -> None:
+        hands.aim = square.turned(0.05 * (next(sways) % 40 - 20))
         app.redraw()
 
     def frames(name: str, change: Callable[[], None] = lambda: None, dt: float = _FRAME) -> None:
@@ -75,6 +86,10 @@ def _frames(size: tuple[int, int]) -> None:
     frames("at rest")
     frames("the same, drawn again", app.redraw)
     frames("aiming", turn)
+    show, hands.aim = app.play.state.show, square
+    level, show.level = show.level, guide.WHOLE
+    frames("aiming at a rack, whole guide", sway)
+    show.level = level
     hands.aim = hands.aim.with_speed(8.0).toward(1.0, 0.003)
     app.play.state.strike(8.0)
     frames("balls rolling")
@@ -149,16 +164,6 @@ def _start(folder: str, kept: bool) -> tuple[float, ...]:
     done = subprocess.run([sys.executable, "-c", _GAME], check=True, capture_output=True, text=True)
     splash, at_splash, ready, at_ready = map(float, done.stdout.split())
     return splash - start, at_splash, ready - start, at_ready
-
-
-def _memory() -> float:
-    """The most memory that this process has held, MiB; where the system does not say, 0."""
-    try:
-        import resource
-    except ImportError:
-        return 0.0
-    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return float(most) / (1 << 20 if sys.platform == "darwin" else 1 << 10)
 
 
 if __name__ == "__main__":

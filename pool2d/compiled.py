@@ -6,12 +6,10 @@ sources are others now, an extension module may not be used: they are read inste
 
 from __future__ import annotations
 
-import hashlib
 import os
 import sys
 from collections.abc import Sequence
 from functools import cache
-from importlib.abc import MetaPathFinder
 from importlib.machinery import EXTENSION_SUFFIXES, ModuleSpec
 from importlib.util import spec_from_file_location
 from pathlib import Path
@@ -38,6 +36,9 @@ def stamp(folder: Path) -> Path:
 
 def digest() -> str:
     """A digest of all sources of the engine; what is left uncompiled too, as its constants are compiled in."""
+    # Where nothing is compiled, no start has to wait for this.
+    import hashlib
+
     sha = hashlib.sha256()
     for path in _sources():
         sha.update(path.relative_to(PHYSICS).as_posix().encode() + b"\0" + path.read_bytes())
@@ -66,7 +67,7 @@ def choose() -> None:
         sys.meta_path.insert(0, _Sources())
 
 
-class _Sources(MetaPathFinder):
+class _Sources:
     """Finds the engine's modules by their sources alone."""
 
     def find_spec(

@@ -10,7 +10,6 @@ import json
 import os
 import re
 import stat
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -56,6 +55,9 @@ def read_toml(path: Path, sound: bool = True) -> dict[str, Any]:
 
     Without `sound` the values are left to the caller, who has `check_sound` for them.
     """
+    # Much is asked of this module that needs no TOML, and starts sooner without.
+    import tomllib
+
     content = read_bytes(path, _LARGEST_TOML)
     if _LONG_KEY.search(content):
         raise InputError(str(path), "", None, "not a TOML file: a key has too many parts")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from importlib import import_module, resources
+from importlib import import_module
+from pathlib import Path
 
 from .law import BallLaw, CushionLaw
 
@@ -11,8 +12,7 @@ def _found() -> tuple[dict[str, BallLaw], dict[str, CushionLaw]]:
     """The laws for balls and for cushions; raises ValueError for one that is not named as its module is."""
     balls: dict[str, BallLaw] = {}
     cushions: dict[str, CushionLaw] = {}
-    files = [entry.name for entry in resources.files(__package__ or "").iterdir()]
-    for module in sorted(name.removesuffix(".py") for name in files if name.endswith(".py")):
+    for module in sorted(path.stem for path in Path(__file__).parent.glob("*.py")):
         kind, _, name = module.partition("_")
         if kind not in ("ball", "cushion") or not name:
             continue
