@@ -109,15 +109,12 @@ class Area:
                 yield Disc(element.x, element.y, element.radius)
 
     def _along(self, a: Point, b: Point, gap: float) -> Iterator[StraightLine]:
-        """The line to the left of a segment, where that is near the area."""
-        left, low, right, high = self.box
-        if min(a[0], b[0]) > right + gap or max(a[0], b[0]) < left - gap:
-            return
-        if min(a[1], b[1]) > high + gap or max(a[1], b[1]) < low - gap:
-            return
+        """The line to the left of a segment, where that may cross the area."""
         size = math.dist(a, b)
         nx, ny = (a[1] - b[1]) / size, (b[0] - a[0]) / size
-        yield StraightLine(nx, ny, nx * a[0] + ny * a[1] + gap)
+        line = StraightLine(nx, ny, nx * a[0] + ny * a[1] + gap)
+        if self.crossed(line):
+            yield line
 
 
 def vantage(
