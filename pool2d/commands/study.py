@@ -52,6 +52,14 @@ class Plan:
 
 def study(file: Path, plan: Plan, overrides: Mapping[str, Any], conditions: Sequence[str]) -> int:
     """Play what is left of a study, then draw its pictures; the exit status."""
+    try:
+        return _study(file, plan, overrides, conditions)
+    except KeyboardInterrupt as error:
+        terminal.complain(f"pool2d: interrupted; {error if error.args else 'the same command goes on from there'}")
+        return _INTERRUPTED
+
+
+def _study(file: Path, plan: Plan, overrides: Mapping[str, Any], conditions: Sequence[str]) -> int:
     asked = load_study(file, overrides, conditions)
     _check(plan)
     stamp = asked.stamp(identity())
@@ -59,8 +67,7 @@ def study(file: Path, plan: Plan, overrides: Mapping[str, Any], conditions: Sequ
         return _told_whole(plan, stamp)
     columns = results.header(simulate_many(asked.table, asked.layout, []))
     with results.Results(plan.rows, columns, stamp) as rows:
-        if not _played(asked, rows, plan):
-            return _INTERRUPTED
+        _play(asked, rows, plan)
     found = findings(asked, results.rows(plan.rows, columns_of(asked)))
     for path in _drawn(asked, found, plan):
         terminal.tell(f"{path}: written")
@@ -93,11 +100,11 @@ def _told_whole(plan: Plan, stamp: str) -> int:
     return 0
 
 
-def _played(asked: Study, rows: results.Results, plan: Plan) -> bool:
-    """Play what is left, and write it down as it comes; False where Ctrl-C ended it."""
+def _play(asked: Study, rows: results.Results, plan: Plan) -> None:
+    """Play what is left, and write it down as it comes; what ends it too early tells how far it came."""
     total = len(asked.sweep)
     if rows.count == total:
-        return True
+        return
     shots = islice(asked.sweep.shots(), rows.count, None)
     progress = Progress(total, rows.count)
     try:
@@ -111,15 +118,11 @@ def _played(asked: Study, rows: results.Results, plan: Plan) -> bool:
                 rows.add(part)
                 progress.went(len(part))
     except KeyboardInterrupt:
-        progress.end()
-        terminal.complain(f"pool2d: interrupted; {_left(rows, total)}")
-        return False
+        raise KeyboardInterrupt(_left(rows, total)) from None
     except WorkerError as error:
-        progress.end()
         raise WorkerError(rows.count, f"{error.reason}; {_left(rows, total)}") from error
     finally:
         progress.end()
-    return True
 
 
 def _left(rows: results.Results, total: int) -> str:

@@ -17,6 +17,7 @@ import pytest
 from pool2d import Summaries, WorkerError
 from pool2d.cli import main
 from pool2d.commands import study as command
+from pool2d.draw.export import heat_map
 from pool2d.study import simulate_many as many
 
 from ..study.studies import SCENARIO, SHOTS, SWEEP, played, written
@@ -108,6 +109,18 @@ def test_what_interrupts_it_leaves_what_was_played(
     assert (tmp_path / "study.csv").read_bytes() == b"".join(whole.splitlines(keepends=True)[:17])
     monkeypatch.undo()
     assert played(file) == 0
+    assert (tmp_path / "study.csv").read_bytes() == whole
+
+
+def test_drawing_may_be_interrupted_too(
+    tmp_path: Path, capsys: Capture, whole: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(heat_map, "draw", interrupted)
+    assert played(written(tmp_path)) == 130
+    assert capsys.readouterr().err == "pool2d: interrupted; the same command goes on from there\n"
     assert (tmp_path / "study.csv").read_bytes() == whole
 
 
