@@ -95,7 +95,7 @@ def foresee(rollout: Rollout, cue: str, length: float = _AFTER, within: float = 
     met = next((event.t for event in rollout.events if event.t > contact.t and _meets(event, ball)), math.inf)
     return Guide(
         trace(rollout, cue, end=contact.t, within=within),
-        contact.before[cue],
+        rollout.ball_at(cue, contact.t),
         trace(rollout, cue, start=contact.t, length=length, within=within),
         trace(rollout, ball, start=contact.t, end=met, within=within),
     )

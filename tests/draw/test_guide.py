@@ -35,6 +35,13 @@ def short(layout: Layout, shot: Shot, level: int = guide.GHOST, table: Table = T
     return simulate(table, layout, shot, until=guide.Enough(level, "cue"))
 
 
+def test_the_ghost_of_a_ball_that_is_larger_than_others_is_as_large() -> None:
+    large = Layout([CUE._replace(radius=0.035), Ball("1", 1.5, 0.53)])
+    ghost = seen(Shot(angle=1.0, speed=2.0), large).ghost
+    assert ghost is not None and TABLE.body_of(ghost)[0] == 0.035
+    assert math.hypot(ghost.x - 1.5, ghost.y - 0.53) == pytest.approx(0.035 + 0.028575, rel=0.02)
+
+
 def test_the_ghost_ball_touches_the_ball_it_will_hit() -> None:
     view = seen(Shot(angle=1.0, speed=2.0))
     assert view.ghost is not None

@@ -7,7 +7,7 @@ from string import digits
 
 from ...physics.event import Event
 from ...physics.rollout import Rollout
-from ...physics.values import MISCUE, POCKETED, Ball
+from ...physics.values import MISCUE, POCKETED, Ball, Layout
 from ...table.table import Table
 from .words import Words
 
@@ -30,8 +30,11 @@ def miscued(rollout: Rollout) -> bool:
     return any(event.where == MISCUE for event in rollout.events)
 
 
-def measures(words: Words, event: Event, table: Table) -> str:
-    """When and where it happened, the throw of a ball by a ball, and how much of their energy the balls keep."""
+def measures(words: Words, event: Event, table: Table, start: Layout) -> str:
+    """When and where it happened, the throw of a ball by a ball, and how much of their energy the balls keep.
+
+    `start` is the layout of the shot: it tells which balls have a mass and radius of their own.
+    """
     before, after = event.before, event.after
     x = sum(ball.x for ball in before.values()) / len(before)
     y = sum(ball.y for ball in before.values()) / len(before)
@@ -40,7 +43,7 @@ def measures(words: Words, event: Event, table: Table) -> str:
     angle = throw(event)
     if angle is not None:
         parts.append(words.say("telling.throw", angle=words.number(abs(angle), ".1f") + "\N{DEGREE SIGN}"))
-    kept = energy_kept(event, table)
+    kept = energy_kept(event, table, start)
     if kept is not None and event.kind in ("ball_ball", "ball_cushion", "cluster"):
         parts.append(words.say("telling.kept", percent=f"{100.0 * kept:.0f} %"))
     return "   ".join(part for part in parts if after)
@@ -74,10 +77,10 @@ def throw(event: Event) -> float | None:
     return math.degrees(math.remainder(math.atan2(sent.vy, sent.vx) - line, math.tau))
 
 
-def energy_kept(event: Event, table: Table) -> float | None:
+def energy_kept(event: Event, table: Table, start: Layout) -> float | None:
     """The part of the balls' kinetic energy, of travel and spin, that is left afterwards; None where there was none."""
-    before = sum(_energy(ball, table) for ball in event.before.values())
-    after = sum(_energy(ball, table) for ball in event.after.values())
+    before = sum(_energy(ball, table.body_of(start[ball.id])) for ball in event.before.values())
+    after = sum(_energy(ball, table.body_of(start[ball.id])) for ball in event.after.values())
     return after / before if before > 0.0 else None
 
 
@@ -93,8 +96,8 @@ def outcome(words: Words, rollout: Rollout, cue: str) -> str:
     return words.say("outcome.down", balls=", ".join(ball_name(words, ball, cue) for ball in fallen)) if fallen else ""
 
 
-def _energy(ball: Ball, table: Table) -> float:
-    radius, mass = table.body_of(ball)
+def _energy(ball: Ball, body: tuple[float, float]) -> float:
+    radius, mass = body
     spin = ball.wx**2 + ball.wy**2 + ball.wz**2
     return 0.5 * mass * (ball.vx**2 + ball.vy**2 + 0.4 * radius * radius * spin)
 

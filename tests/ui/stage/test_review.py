@@ -253,10 +253,10 @@ def test_an_event_is_told_with_its_numbers() -> None:
     sent = math.degrees(math.atan2(after["1"].vy, after["1"].vx))
     assert throw == pytest.approx(sent - line)
     assert 0.2 < abs(throw) < 6.0
-    kept = shot_text.energy_kept(contact, TABLE)
+    kept = shot_text.energy_kept(contact, TABLE, CUT)
     assert kept is not None
     assert 0.8 < kept < 1.0
-    told = shot_text.measures(WORDS, contact, TABLE)
+    told = shot_text.measures(WORDS, contact, TABLE, CUT)
     assert f"{contact.t:.3f} s" in told
     assert f"throw {abs(throw):.1f}" in told
     assert f"keeps {100 * kept:.0f} %" in told
@@ -283,7 +283,7 @@ def test_without_friction_nothing_is_thrown_and_the_energy_is_kept() -> None:
     smooth = TABLE.with_knobs({"ball.law": "frictionless", "ball.restitution": 1.0})
     contact = next(e for e in simulate(smooth, CUT, Shot(angle=1.0, speed=3.0)).events if e.kind == "ball_ball")
     assert shot_text.throw(contact) == pytest.approx(0.0, abs=1e-6)
-    assert shot_text.energy_kept(contact, smooth) == pytest.approx(1.0)
+    assert shot_text.energy_kept(contact, smooth, CUT) == pytest.approx(1.0)
 
 
 def test_every_kind_of_event_has_a_title() -> None:
