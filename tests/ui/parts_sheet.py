@@ -36,7 +36,7 @@ def standing(match: Match, player: int, over: bool = False) -> Moment:
     known = {field.name for field in fields(ruling.state)}
     state: Any = replace(ruling.state, **{name: value for name, value in STANDING.items() if name in known})
     state = replace(state, ask=replace(state.ask, player=player, kind="over" if over else state.ask.kind))
-    tallies = tuple(replace(tally, frames=2 - i, run=3 * i) for i, tally in enumerate(match.now.tallies))
+    tallies = tuple(replace(tally, frames=2 - i, run=1 + 2 * i) for i, tally in enumerate(match.now.tallies))
     return replace(match.now, ruling=ruling._replace(state=state), tallies=tallies)
 
 

@@ -34,6 +34,13 @@ def test_clause(case: Case) -> None:
     assert result("english-eight-ball", case) == case.ruling
 
 
+@pytest.mark.parametrize("shot", ["cue-red1 red1>", "cue-red1 red1|", "cue-yellow1 yellow1|"])
+def test_a_ball_is_free_for_one_stroke(shot: str) -> None:
+    after = judged("english-eight-ball", TABLE, Case("", "", "free", "", shot, ""), asks)[1]
+    assert not after.foul
+    assert not after.state.free  # type: ignore[attr-defined]
+
+
 def broken(shot: str) -> Ruling:
     return judged("english-eight-ball", TABLE, Case("", "", "shots 0, where kitchen", "", shot, ""), asks)[1]
 
