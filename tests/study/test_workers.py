@@ -17,6 +17,7 @@ import pytest
 
 from pool2d import Shot, WorkerError, simulate_many
 from pool2d.study import simulate_many as many
+from pool2d.study.workers import processes
 
 from .many import LAYOUT, SHOTS, TABLE, Here
 
@@ -52,12 +53,22 @@ def test_processes_end_with_the_one_that_started_them(end: signal.Signals, tmp_p
     script = tmp_path / "script.py"
     script.write_text(ENDLESS)
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    run = subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment)
+    run = subprocess.Popen(
+        [sys.executable, script],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=environment,
+        start_new_session=True,
+    )
     assert run.stdout is not None
     workers = [int(word) for word in run.stdout.readline().split()]
     assert len(workers) == 2
     assert all(map(alive, workers))
-    run.send_signal(end)
+    if end == signal.SIGINT:
+        # As a terminal does: Ctrl-C goes to all that were started from it.
+        os.killpg(run.pid, end)
+    else:
+        run.send_signal(end)
     _, complaints = run.communicate(timeout=60)
     assert run.returncode != 0
     # Nobody but the one that was asked to end says so.
@@ -67,6 +78,12 @@ def test_processes_end_with_the_one_that_started_them(end: signal.Signals, tmp_p
             return
         time.sleep(0.1)
     pytest.fail("a worker outlives the one that started it")
+
+
+def test_ctrl_c_is_for_the_one_that_started_them() -> None:
+    with processes(1) as pool:
+        pool.submit(signal.raise_signal, signal.SIGINT).result(timeout=60)
+        assert pool.submit(int, "7").result(timeout=60) == 7
 
 
 def test_a_process_that_dies_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

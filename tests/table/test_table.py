@@ -15,6 +15,7 @@ from pool2d import Ball, BudgetError, InputError, Layout, Table, WorkerError, lo
 from pool2d.physics.detect import Jaw, Rail
 from pool2d.physics.values import POCKETED
 from pool2d.table.outline import Corner, distance_to_edge
+from pool2d.table.preset import presets
 
 TABLE = load_table("pool-9ft")
 RADIUS = TABLE.knobs.ball.radius
@@ -212,8 +213,9 @@ def test_distance_to_a_slanting_edge(x: float, y: float, distance: float) -> Non
     assert distance_to_edge(x, y, edge[::-1]) == pytest.approx(distance, abs=1e-12)
 
 
-def test_a_table_goes_to_another_process_as_what_it_was_made_of() -> None:
-    table = load_table("l-shape", {"cloth.mu_roll": 0.0123}, ["worn-cloth"])
+@pytest.mark.parametrize("name", presets())
+def test_a_table_goes_to_another_process_as_what_it_was_made_of(name: str) -> None:
+    table = load_table(name, {"cloth.mu_roll": 0.0123}, ["worn-cloth"])
     packed = pickle.dumps(table)
     back = pickle.loads(packed)
     assert (back.source, back.title, back.set, back.conditions) == (
