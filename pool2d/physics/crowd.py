@@ -8,8 +8,9 @@ from typing import Final, final
 from .body import Body
 from .motion import Motion
 from .roots import INF
-from .values import POCKETED
 
+# Up to so many balls are gone through one by one: quicker than looking into cells.
+FEW: Final = 64
 # Rows of cells are counted so far apart that no two cells have one number.
 _ROW: Final = 1 << 20
 
@@ -18,59 +19,57 @@ _ROW: Final = 1 << 20
 class Crowd:
     """Every ball's body and present motion, and which of them may be in a box.
 
-    Balls at rest stand in square cells, about one to each. Those that move are few, or all: each has a box that it
-    stays in (see `Motion.bound`), and they are gone through one by one.
+    Each motion has a box in which its ball stays for now (see `Motion.bound`). Where the balls are many, the boxes are
+    kept small, as none is followed further than its horizon, and entered into square cells, about one to each.
     """
 
-    __slots__ = ("bodies", "motion", "largest", "moving", "resting", "cells", "size")
+    __slots__ = ("bodies", "motion", "largest", "placed", "cells", "size")
 
     def __init__(self, bodies: list[Body], motion: list[Motion]) -> None:
         self.bodies = bodies
         self.motion = motion
         self.largest = max([body.radius for body in bodies], default=0.0)
-        self.moving: dict[int, Motion] = {}
-        self.resting: dict[int, Motion] = {}
+        self.placed: dict[int, Motion] = {}
         self.cells: dict[int, list[Motion]] = {}
-        across = _spread([body.x for body in bodies]) * _spread([body.y for body in bodies])
-        self.size = max(2.0 * self.largest, math.sqrt(across / max(1, len(bodies))), 1e-3)
+        # The side of a cell, m; infinite where there are none.
+        self.size = INF
+        if len(bodies) > FEW:
+            area = _spread([body.x for body in bodies]) * _spread([body.y for body in bodies])
+            self.size = max(4.0 * self.largest, math.sqrt(area / len(bodies)))
+
+    def horizon(self, motion: Motion, now: float) -> float:
+        """For how long a motion is followed from now on: for about the way through one cell, s."""
+        if self.size == INF:
+            return INF
+        s = now - motion.t0
+        speed = math.hypot(motion.vx + 2.0 * motion.hx * s, motion.vy + 2.0 * motion.hy * s)
+        pull = math.hypot(motion.hx, motion.hy)
+        # v t + h t^2 is no more than the cell.
+        return 2.0 * self.size / (speed + math.sqrt(speed * speed + 4.0 * pull * self.size))
 
     def lift(self, motion: Motion) -> None:
-        """Give a ball its new motion; it is in no box until `put`."""
-        i = motion.index
-        self.motion[i] = motion
-        if i in self.moving:
-            del self.moving[i]
-        elif i in self.resting:
-            old = self.resting.pop(i)
-            self.cells[self._cell(old.x, old.y)].remove(old)
+        """Give a ball its motion; it is in no box until `put`."""
+        old = self.placed.pop(motion.index, None)
+        if old is not None:
+            for cell in self._cells(old.left, old.bottom, old.right, old.top):
+                self.cells[cell].remove(old)
+        self.motion[motion.index] = motion
 
     def put(self, motion: Motion) -> None:
         """Count on the ball of a motion wherever that takes it within its box."""
-        if motion.phase == POCKETED:
-            return
-        if motion.stays():
-            self.resting[motion.index] = motion
-            self.cells.setdefault(self._cell(motion.x, motion.y), []).append(motion)
-        else:
-            self.moving[motion.index] = motion
+        self.placed[motion.index] = motion
+        for cell in self._cells(motion.left, motion.bottom, motion.right, motion.top):
+            self.cells.setdefault(cell, []).append(motion)
 
     def near(self, left: float, bottom: float, right: float, top: float) -> list[Motion]:
         """The motions of the balls whose centres may be in a box."""
-        found: list[Motion] = []
-        for motion in self.moving.values():
-            if motion.left <= right and left <= motion.right and motion.bottom <= top and bottom <= motion.top:
-                found.append(motion)  # noqa: PERF401 - a loop compiles to one
-        first, last = math.floor(left / self.size), math.floor(right / self.size)
-        low, high = math.floor(bottom / self.size), math.floor(top / self.size)
-        if (last - first + 1) * (high - low + 1) >= len(self.resting):
-            _within(list(self.resting.values()), left, bottom, right, top, found)
-            return found
-        for column in range(first, last + 1):
-            for row in range(low, high + 1):
-                cell = self.cells.get(column * _ROW + row)
-                if cell:
-                    _within(cell, left, bottom, right, top, found)
-        return found
+        if self.size == INF:
+            return _within(list(self.placed.values()), left, bottom, right, top)
+        found: dict[int, Motion] = {}
+        for cell in self._cells(left, bottom, right, top):
+            for motion in _within(self.cells.get(cell, []), left, bottom, right, top):
+                found[motion.index] = motion
+        return list(found.values())
 
     def around(self, ball: Body, far: float, now: float) -> list[Body]:
         """The other balls whose centres may be within `far` of a ball's, brought to the present moment."""
@@ -84,16 +83,23 @@ class Crowd:
             motion.move(body, now)
         return body
 
-    def _cell(self, x: float, y: float) -> int:
-        return math.floor(x / self.size) * _ROW + math.floor(y / self.size)
+    def _cells(self, left: float, bottom: float, right: float, top: float) -> list[int]:
+        """The numbers of the cells that a box reaches into."""
+        if self.size == INF:
+            return []
+        first, last = math.floor(left / self.size), math.floor(right / self.size)
+        low, high = math.floor(bottom / self.size), math.floor(top / self.size)
+        return [column * _ROW + row for column in range(first, last + 1) for row in range(low, high + 1)]
 
 
-def _within(resting: list[Motion], left: float, bottom: float, right: float, top: float, found: list[Motion]) -> None:
-    """Add the motions whose balls lie in a box."""
-    for motion in resting:
-        if left <= motion.x <= right and bottom <= motion.y <= top:
-            found.append(motion)  # noqa: PERF401 - a loop compiles to one
+def _within(motions: list[Motion], left: float, bottom: float, right: float, top: float) -> list[Motion]:
+    """Those of the motions whose boxes touch a box."""
+    return [
+        motion
+        for motion in motions
+        if motion.left <= right and left <= motion.right and motion.bottom <= top and bottom <= motion.top
+    ]
 
 
 def _spread(values: list[float]) -> float:
-    return max(values) - min(values) if values else 0.0
+    return max(values) - min(values)

@@ -38,12 +38,13 @@ class Motion:
 
     (x, y), (vx, vy), (wx, wy, wz) hold at `t0`; (hx, hy) is half the acceleration, (bx, by) the rate
     of the horizontal spin and `bz` the speed at which |wz| falls. `t1` is where the phase ends by
-    itself, infinite for a ball at rest. (left, bottom, right, top) is the box of `bound`.
+    itself, infinite for a ball at rest. `end` is where it
+    ends, by itself or at the table; (left, bottom, right, top) is the box of `bound`.
     """
 
     __slots__ = (
         "id", "index", "phase", "t0", "t1", "x", "y", "vx", "vy", "hx", "hy", "wx", "wy", "wz", "bx", "by", "bz",
-        "left", "bottom", "right", "top",
+        "end", "left", "bottom", "right", "top",
     )  # fmt: skip
 
     def __init__(
@@ -67,6 +68,7 @@ class Motion:
         self.bx = bx
         self.by = by
         self.bz = bz
+        self.end = t1
         self.left = self.right = body.x
         self.bottom = self.top = body.y
 
@@ -91,12 +93,18 @@ class Motion:
         """Whether the ball stays where it is, at rest or spinning on the spot."""
         return self.vx == 0.0 == self.vy and self.hx == 0.0 == self.hy
 
-    def bound(self, s: float) -> None:
-        """Work out the box that holds the first `s` seconds: about the control points of the path, a Bezier curve."""
-        x1, x2 = self.x + 0.5 * self.vx * s, self.x + (self.vx + self.hx * s) * s
-        y1, y2 = self.y + 0.5 * self.vy * s, self.y + (self.vy + self.hy * s) * s
-        self.left, self.right = min(min(self.x, x1), x2), max(max(self.x, x1), x2)
-        self.bottom, self.top = min(min(self.y, y1), y2), max(max(self.y, y1), y2)
+    def bound(self, first: float, last: float) -> None:
+        """Work out the box that holds the path between two times, s after the start.
+
+        The path is a Bezier curve: it lies within its control points.
+        """
+        x0, x2 = self.x + (self.vx + self.hx * first) * first, self.x + (self.vx + self.hx * last) * last
+        y0, y2 = self.y + (self.vy + self.hy * first) * first, self.y + (self.vy + self.hy * last) * last
+        half = 0.5 * (last - first)
+        x1 = x0 + (self.vx + 2.0 * self.hx * first) * half
+        y1 = y0 + (self.vy + 2.0 * self.hy * first) * half
+        self.left, self.right = min(min(x0, x1), x2), max(max(x0, x1), x2)
+        self.bottom, self.top = min(min(y0, y1), y2), max(max(y0, y1), y2)
 
     def coasts(self) -> bool:
         """Whether the ball moves without friction, which it has had in advance: only then `wz` lasts."""

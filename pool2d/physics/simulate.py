@@ -99,15 +99,29 @@ class _World:
     """The balls in motion and the queue of what may happen to them.
 
     A queue entry is (time, ball, other, version of ball, version of other), where `other` is a ball,
-    -1 for the ball's own change of phase, or -2 - e for table element e. An entry whose versions are
+    -1 for the ball's own change of phase, -2 - e for table element e, or `again` where the ball has to look for others
+    once more. An entry whose versions are
     not the present ones is stale: the ball has moved otherwise since.
     """
 
-    __slots__ = ("physics", "elements", "cloth", "now", "events", "queue", "crowd", "contacts", "version", "tracks")
+    __slots__ = (
+        "physics",
+        "elements",
+        "again",
+        "cloth",
+        "now",
+        "events",
+        "queue",
+        "crowd",
+        "contacts",
+        "version",
+        "tracks",
+    )
 
     def __init__(self, table: Field, layout: Layout) -> None:
         self.physics = table.physics
         self.elements: list[Element] = list(table.elements)
+        self.again = -2 - len(self.elements)
         made = materials(self.physics)
         self.cloth = made.cloth
         self.now = 0.0
@@ -149,6 +163,10 @@ class _World:
         """Solve the event that has come: a change of phase, a contact of two balls, or with the table."""
         if other == -1:
             self.change_phase(i)
+            return
+        if other == self.again:
+            self.crowd.lift(self.crowd.motion[i])
+            self.look(i)
             return
         body = self.crowd.bring(i, self.now)
         if other >= 0:
@@ -215,36 +233,45 @@ class _World:
         A motion holds until it ends or its ball meets the table, so nothing later is looked for. That
         also bounds what is found for a pair: where the other ball's motion ends, it is asked again.
         """
-        motion, body = self.crowd.motion[i], self.crowd.bodies[i]
+        motion = self.crowd.motion[i]
         if motion.phase == POCKETED:
             return
-        stays = motion.stays()
-        end = motion.t1 if stays else self.meet_table(motion, body.reach)
-        if stays and end < INF:
-            heappush(self.queue, (end, i, -1, self.version[i], 0))
+        if not motion.stays():
+            self.meet_table(motion, self.crowd.bodies[i].reach)
+        elif motion.end < INF:
+            heappush(self.queue, (motion.end, i, -1, self.version[i], 0))
+        self.look(i)
+
+    def look(self, i: int) -> None:
+        """Queue each ball that ball i may meet until its motion ends, or it has gone so far that it looks again."""
+        motion, body, now = self.crowd.motion[i], self.crowd.bodies[i], self.now
+        stays, until = motion.stays(), motion.end
+        if not stays:
+            until = min(until, now + self.crowd.horizon(motion, now))
+            motion.bound(now - motion.t0, until - motion.t0)
+            if until < motion.end:
+                heappush(self.queue, (until, i, self.again, self.version[i], 0))
         far = body.radius + self.crowd.largest
         for other in self.crowd.near(motion.left - far, motion.bottom - far, motion.right + far, motion.top + far):
             if stays and other.stays():
                 continue
             touch = 2.0 * math.sqrt(body.radius * self.crowd.bodies[other.index].radius)
-            t = time_ball_ball(motion, other, self.now, min(end, other.t1), touch)
+            t = time_ball_ball(motion, other, now, min(until, other.t1), touch)
             if t < INF:
                 a, b = min(i, other.index), max(i, other.index)
                 heappush(self.queue, (t, a, b, self.version[a], self.version[b]))
         self.crowd.put(motion)
 
-    def meet_table(self, motion: Motion, reach: float) -> float:
-        """When a motion ends, by itself or at the table: queue that, and bound the motion by it."""
-        now, end, own = self.now, motion.t1, -1
-        s = end - now
-        motion.bound(s)
+    def meet_table(self, motion: Motion, reach: float) -> None:
+        """Queue where a motion ends, by itself or at the table."""
+        now, own = self.now, -1
+        s = motion.t1 - now
+        motion.bound(0.0, s)
         left, bottom = motion.left - reach, motion.bottom - reach
         right, top = motion.right + reach, motion.top + reach
         for index, element in enumerate(self.elements):
             if element.left <= right and left <= element.right and element.bottom <= top and bottom <= element.top:
                 t = now + element.time(motion, reach, s)
-                if t < end:
-                    end, own = t, -2 - index
-        heappush(self.queue, (end, motion.index, own, self.version[motion.index], 0))
-        motion.bound(end - now)
-        return end
+                if t < motion.end:
+                    motion.end, own = t, -2 - index
+        heappush(self.queue, (motion.end, motion.index, own, self.version[motion.index], 0))

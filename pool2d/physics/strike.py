@@ -69,17 +69,18 @@ def strike(ball: Body, shot: Shot, cue: Cue) -> bool:
     miss = 0.0 if clean else math.acos(depth) - math.atan(cue.tip_friction)
     along, away = math.cos(miss), -math.sin(miss)
     right, up = (away * a / offset, away * b / offset) if offset > 0.0 else (0.0, 0.0)
-    # The moment r x e, about the axes (along, right, up), which are left-handed; about the first there is none, as the
-    # push away from the centre line is from the centre straight through the tip.
+    # The moment r x e, about the axes (along, right, up), which are left-handed. About the first it is rounding, and
+    # stays, so that recorded strokes keep their bits.
+    m_along = b * right - a * up
     m_right = -b * along - depth * up
     m_up = depth * right + a * along
     ahead = along * cos + up * sin
-    inertia = (ahead * ahead + right * right + 2.5 * (m_right**2 + m_up**2)) / ball.mass
+    inertia = (ahead * ahead + right * right + 2.5 * (m_along**2 + m_right**2 + m_up**2)) / ball.mass
     impulse = (1.0 + cue.tip_restitution) * shot.speed * along / (inertia + along * along / cue.mass)
     # To the table's frame turned to the aim: x ahead, y left, z up.
     speed, turn = impulse / ball.mass, 2.5 * impulse / (ball.mass * ball.radius)
     vx, vy = speed * ahead, -speed * right
-    wx, wy, wz = turn * m_up * sin, -turn * m_right, turn * m_up * cos
+    wx, wy, wz = turn * (m_along * cos + m_up * sin), -turn * m_right, turn * (m_up * cos - m_along * sin)
     aim = math.radians(shot.angle) + squirt(a, ball.mass, cue.end_mass)
     ca, sa = math.cos(aim), math.sin(aim)
     ball.vx, ball.vy = vx * ca - vy * sa, vx * sa + vy * ca
