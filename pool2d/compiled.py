@@ -20,8 +20,9 @@ INTERPRETED = "POOL2D_INTERPRETED"
 # What the extension modules share is a library of this name, `__mypyc` added.
 GROUP = "pool2d.physics.engine"
 PHYSICS = Path(__file__).parent / "physics"
-# They stay as they are: params are inherited from, the others hold nothing that takes time.
-_LEFT = ("__init__", "params", "registry", "rollout", "values")
+# They stay as they are: `help` reads what `simulate` says of itself, params are inherited from, and the others hold
+# nothing that takes time.
+_LEFT = ("__init__", "params", "registry", "rollout", "simulate", "values")
 
 
 def modules() -> list[Path]:

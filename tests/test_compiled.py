@@ -101,7 +101,7 @@ def test_the_sources_can_be_asked_for(copy: Path, value: str, word: str | None) 
 
 def test_only_modules_with_work_to_do_are_compiled() -> None:
     names = {path.relative_to(compiled.PHYSICS).as_posix() for path in compiled.modules()}
-    assert {"simulate.py", "motion.py", "cluster.py", "laws/cushion_mathavan2010.py"} <= names
+    assert {"world.py", "motion.py", "cluster.py", "laws/cushion_mathavan2010.py"} <= names
     assert not {"__init__.py", "params.py", "laws/__init__.py"} & names
 
 

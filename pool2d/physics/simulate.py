@@ -1,30 +1,21 @@
-"""The event loop: find the next contact before it happens, move to it exactly, solve it."""
+"""A shot from its stroke to rest: what the engine offers."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
-from heapq import heappop, heappush
-from typing import Any, Final, Protocol, final
+from typing import Any, Final, Protocol
 
-from ..errors import BudgetError, InputError
+from ..errors import BudgetError
 from .body import Body
-from .contact import Contacts, Met
-from .crowd import Crowd
-from .detect import Element, time_ball_ball
+from .detect import Element
 from .event import Event
-from .materials import materials
-from .motion import Motion, finish, pocketed, start
 from .params import Physics
 from .rollout import Rollout
-from .roots import INF
-from .strike import strike
-from .values import MISCUE, POCKETED, ROLLING, SLIDING, SPINNING, Ball, EventKind, Layout, Phase, Shot
+from .values import Ball, Layout, Shot
+from .world import World
 
 # Far above what any shot takes (a break takes some hundreds).
 BUDGET: Final = 50_000
-# The event with which a phase ends by itself.
-_ENDS: Final[dict[Phase, EventKind]] = {SLIDING: "sliding_rolling", ROLLING: "rolling_resting", SPINNING: "spin_end"}
 
 
 class Field(Protocol):
@@ -78,200 +69,13 @@ def simulate(
         [<0.000000 cue_ball cue>, <0.257281 ball_ball 1 cue>]
     """
     layout = table.settle(layout)
-    world = _World(table, layout)
+    # Sorted, so that the order in which balls are given is of no consequence.
+    world = World(table.bodies(sorted(layout.on_table())), table.physics, list(table.elements))
     if shot is not None:
         world.strike(shot)
     limit = budget if events is None else min(events, budget)
-    stop = False
-    while not stop and len(world.events) < limit:
-        seen = len(world.events)
-        if not world.advance():
-            break
-        stop = until is not None and len(world.events) > seen and until(world.events[-1])
+    stopped = world.run(limit, until)
     truncated = world.advance(look=True)
-    if truncated and limit != events and not stop:
+    if truncated and limit != events and not stopped:
         raise BudgetError(budget, world.now, table.scenario(layout, shot))
     return Rollout(layout, {track[0].id: track for track in world.tracks}, world.events, truncated)
-
-
-@final
-class _World:
-    """The balls in motion and the queue of what may happen to them.
-
-    A queue entry is (time, ball, other, version of ball, version of other), where `other` is a ball,
-    -1 for the ball's own change of phase, -2 - e for table element e, or `again` where the ball has to look for others
-    once more. An entry whose versions are
-    not the present ones is stale: the ball has moved otherwise since.
-    """
-
-    __slots__ = (
-        "physics",
-        "elements",
-        "again",
-        "cloth",
-        "now",
-        "events",
-        "queue",
-        "crowd",
-        "contacts",
-        "version",
-        "tracks",
-    )
-
-    def __init__(self, table: Field, layout: Layout) -> None:
-        self.physics = table.physics
-        self.elements: list[Element] = list(table.elements)
-        self.again = -2 - len(self.elements)
-        made = materials(self.physics)
-        self.cloth = made.cloth
-        self.now = 0.0
-        self.events: list[Event] = []
-        self.queue: list[tuple[float, int, int, int, int]] = []
-        # Sorted, so that the order in which balls are given is of no consequence.
-        bodies = table.bodies(sorted(layout.on_table()))
-        motions = [start(body, 0.0, self.cloth) for body in bodies]
-        self.crowd = Crowd(bodies, motions)
-        self.contacts = Contacts(self.crowd, self.elements, made)
-        self.version = [0] * len(bodies)
-        self.tracks = [[motion] for motion in motions]
-        for body in bodies:
-            self.predict(body.index)
-
-    def strike(self, shot: Shot) -> None:
-        shot.check()
-        body = next((body for body in self.crowd.bodies if body.id == shot.ball), None)
-        if body is None:
-            raise InputError("shot", "shot.ball", shot.ball, "not a ball on the table")
-        if shot.speed > 0.0:
-            clean = strike(body, shot, self.physics.cue)
-            self.record("cue_ball", None if clean else MISCUE, [body])
-
-    def advance(self, look: bool = False) -> bool:
-        """Carry out the next event; False where there is none. `look` only tells whether there is."""
-        while self.queue:
-            t, i, other, version, other_version = self.queue[0]
-            if version == self.version[i] and (other < 0 or other_version == self.version[other]):
-                if not look:
-                    heappop(self.queue)
-                    self.now = t
-                    self.happen(i, other)
-                return True
-            heappop(self.queue)
-        return False
-
-    def happen(self, i: int, other: int) -> None:
-        """Solve the event that has come: a change of phase, a contact of two balls, or with the table."""
-        if other == -1:
-            self.change_phase(i)
-            return
-        if other == self.again:
-            self.crowd.lift(self.crowd.motion[i])
-            self.look(i)
-            return
-        body = self.crowd.bring(i, self.now)
-        if other >= 0:
-            self.touched(self.contacts.balls(body, self.crowd.bring(other, self.now), self.now))
-            return
-        element = self.elements[-2 - other]
-        if element.kind == "ball_pocket":
-            self.record(element.kind, element.name, [body], [pocketed(body, self.now)])
-        else:
-            self.touched(self.contacts.cushion(body, element, self.now))
-
-    def change_phase(self, i: int) -> None:
-        """Let ball i go on where its motion has run out."""
-        body, old = self.crowd.bodies[i], self.crowd.motion[i]
-        motion = finish(old, body, self.cloth)
-        if old.coasts():
-            self.follow(motion)
-            self.predict(i)
-        else:
-            self.record(_ENDS[old.phase], None, [body], [motion])
-
-    def touched(self, met: Met) -> None:
-        """Note a contact, or several that were one."""
-        for motion in met.pressed:
-            self.follow(motion)
-        pairs = tuple([(a.id, b.id) for a, b in met.pairs])
-        rails = tuple([(body.id, name) for body, name in met.rails])
-        if len(pairs) + len(rails) > 1:
-            where = ", ".join(dict.fromkeys([name for _, name in rails])) or None
-            self.record("cluster", where, met.bodies(), None, pairs, rails)
-        elif pairs:
-            self.record("ball_ball", None, met.bodies(), None, pairs)
-        else:
-            self.record("ball_cushion", rails[0][1], met.bodies(), None, (), rails)
-
-    def record(
-        self,
-        kind: EventKind,
-        where: str | None,
-        bodies: list[Body],
-        new: list[Motion] | None = None,
-        pairs: tuple[tuple[str, str], ...] = (),
-        rails: tuple[tuple[str, str], ...] = (),
-    ) -> None:
-        """Note an event, and let its bodies go on from their present state."""
-        if new is None:
-            new = [start(body, self.now, self.cloth) for body in bodies]
-        old = [self.crowd.motion[body.index] for body in bodies]
-        self.events.append(Event(self.now, kind, where, old, new, pairs, rails))
-        for motion in new:
-            self.follow(motion)
-        for motion in new:
-            self.predict(motion.index)
-
-    def follow(self, motion: Motion) -> None:
-        """Let a ball go on as `motion` has it; what was predicted for it is void."""
-        self.crowd.lift(motion)
-        self.tracks[motion.index].append(motion)
-        self.version[motion.index] += 1
-
-    def predict(self, i: int) -> None:
-        """Queue what may come of ball i's new motion: its own next event, and each ball that it may meet.
-
-        A motion holds until it ends or its ball meets the table, so nothing later is looked for. That
-        also bounds what is found for a pair: where the other ball's motion ends, it is asked again.
-        """
-        motion = self.crowd.motion[i]
-        if motion.phase == POCKETED:
-            return
-        if not motion.stays():
-            self.meet_table(motion, self.crowd.bodies[i].reach)
-        elif motion.end < INF:
-            heappush(self.queue, (motion.end, i, -1, self.version[i], 0))
-        self.look(i)
-
-    def look(self, i: int) -> None:
-        """Queue each ball that ball i may meet until its motion ends, or it has gone so far that it looks again."""
-        motion, body, now = self.crowd.motion[i], self.crowd.bodies[i], self.now
-        stays, until = motion.stays(), motion.end
-        if not stays:
-            until = min(until, now + self.crowd.horizon(motion, now))
-            motion.bound(now - motion.t0, until - motion.t0)
-            if until < motion.end:
-                heappush(self.queue, (until, i, self.again, self.version[i], 0))
-        far = body.radius + self.crowd.largest
-        for other in self.crowd.near(motion.left - far, motion.bottom - far, motion.right + far, motion.top + far):
-            if stays and other.stays():
-                continue
-            touch = 2.0 * math.sqrt(body.radius * self.crowd.bodies[other.index].radius)
-            t = time_ball_ball(motion, other, now, min(until, other.t1), touch)
-            if t < INF:
-                a, b = min(i, other.index), max(i, other.index)
-                heappush(self.queue, (t, a, b, self.version[a], self.version[b]))
-        self.crowd.put(motion)
-
-    def meet_table(self, motion: Motion, reach: float) -> None:
-        """Queue where a motion ends, by itself or at the table."""
-        now, own = self.now, -1
-        s = motion.t1 - now
-        motion.bound(0.0, s)
-        left, bottom = motion.left - reach, motion.bottom - reach
-        right, top = motion.right + reach, motion.top + reach
-        for index, element in enumerate(self.elements):
-            if element.left <= right and left <= element.right and element.bottom <= top and bottom <= element.top:
-                t = now + element.time(motion, reach, s)
-                if t < motion.end:
-                    motion.end, own = t, -2 - index
-        heappush(self.queue, (motion.end, motion.index, own, self.version[motion.index], 0))

@@ -13,6 +13,7 @@ import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from unittest import mock
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 
@@ -29,6 +30,7 @@ from pool2d.draw.export import heat_map, rests_picture
 from pool2d.draw.tabletop import table_picture
 from pool2d.draw.view import fit
 from pool2d.game.orientations import racked_orientations
+from pool2d.ui.dialogs import help
 
 from ..draw import findings
 from . import parts_sheet
@@ -85,7 +87,8 @@ def rests() -> pygame.Surface:
 
 def window(name: str) -> pygame.Surface:
     """The whole window at one of the scenes of the documentation."""
-    return pictures.draw(picture_scenes.SCENES[name], SIZE)
+    with mock.patch.object(help, "engine", lambda: "interpreted"):
+        return pictures.draw(picture_scenes.SCENES[name], SIZE)
 
 
 SCENES: dict[str, Callable[[], pygame.Surface]] = {

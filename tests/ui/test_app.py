@@ -239,6 +239,8 @@ def test_a_screenshot_that_cannot_be_saved_is_told(hand: Hand, tmp_path: Path, m
 def test_a_missing_font_is_replaced(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     pygame.font.init()
     text.font.cache_clear()
+    # What cannot be read is told by every window from then on.
+    monkeypatch.setattr(text, "unreadable", set())
     monkeypatch.setattr(text, "asset", lambda *_: tmp_path / "none.ttf")
     assert text.font(17).size("pool")[0] > 0
     text.font.cache_clear()
