@@ -10,8 +10,9 @@ from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import get_context
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnContext, SpawnProcess
 
 from ..errors import WorkerError
 from ..physics.values import Layout, Shot
@@ -93,7 +94,7 @@ def processes(count: int) -> Iterator[Executor]:
 
     They are started afresh: a copy of a process that has threads or a window may hang.
     """
-    context = get_context("spawn")
+    context = _Context()
     # Nothing is ever sent. That our end is closed, by us or by our death, is what they wait for.
     theirs, ours = context.Pipe(duplex=False)
     pool = ProcessPoolExecutor(count, context, _begin, (theirs,))
@@ -106,6 +107,26 @@ def processes(count: int) -> Iterator[Executor]:
         pool.shutdown(cancel_futures=True)
         ours.close()
         theirs.close()
+
+
+class _Worker(SpawnProcess):
+    """A process that no Ctrl-C reaches while it starts: it is held back until `_begin` has it ignored."""
+
+    def start(self) -> None:
+        if not hasattr(signal, "pthread_sigmask"):
+            super().start()
+            return
+        # It would lift the block as it starts, so it has to run before.
+        resource_tracker.ensure_running()
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+        try:
+            super().start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
+class _Context(SpawnContext):
+    Process = _Worker
 
 
 def _begin(line: Connection) -> None:
