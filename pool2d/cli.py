@@ -1,4 +1,4 @@
-"""The command line: play | simulate | study | render | replay | tables."""
+"""The command line: play | simulate | study | fit | render | replay | tables."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__
-from .commands import terminal
+from .commands import fit, terminal
+from .commands.arguments import Parser, add, to_conditions, to_file, to_number, to_overrides, to_size, to_whole
 from .compiled import engine
 from .config import catalogue
-from .config.knobs import Knob, apply
+from .config.knobs import Knob
 from .errors import BudgetError, InputError, WorkerError
 
 # Tables and physics are read by the commands themselves: the window opens first.
@@ -68,7 +69,7 @@ def _play(arguments: argparse.Namespace) -> int:
         from .table.preset import load_table
 
         name = _TABLE if arguments.table is None else arguments.table
-        return load_table(name, _overrides(arguments.set), _conditions(arguments))
+        return load_table(name, to_overrides(arguments.set), to_conditions(arguments))
 
     # Who says what to play on wants to play.
     said = arguments.set or any(given is not None for given in (arguments.table, arguments.conditions, arguments.seed))
@@ -78,9 +79,9 @@ def _play(arguments: argparse.Namespace) -> int:
 def _simulate(arguments: argparse.Namespace) -> int:
     from .commands import outcome
 
-    overrides = _overrides(arguments.set)
-    limit = None if arguments.events is None else _whole(_EVENTS, arguments.events, "--events")
-    step = None if arguments.sample is None else _number(_STEP, arguments.sample, "--sample")
+    overrides = to_overrides(arguments.set)
+    limit = None if arguments.events is None else to_whole(_EVENTS, arguments.events, "--events")
+    step = None if arguments.sample is None else to_number(_STEP, arguments.sample, "--sample")
     for path, scenario in _scenarios(arguments, overrides):
         if not scenario.layout.on_table():
             raise InputError(path, "balls", [], "there is no ball on the table; nothing can be simulated")
@@ -101,7 +102,7 @@ def _scenarios(arguments: argparse.Namespace, overrides: dict[str, Any]) -> Iter
     from .table.position_text import read, read_shot
     from .table.scenario import load_scenario, scenario_of
 
-    conditions = _conditions(arguments)
+    conditions = to_conditions(arguments)
     shot = None if arguments.shot is None else read_shot(arguments.shot, "--shot")
     if arguments.position is None:
         if shot is not None or not arguments.files:
@@ -120,10 +121,10 @@ def _render(arguments: argparse.Namespace) -> int:
     from .draw.export import picture_file, render
     from .table.scenario import load_scenario
 
-    out = _file(arguments.out, "OUT.png")
+    out = to_file(arguments.out, "OUT.png")
     picture_file.check_path(out)
-    scenario = load_scenario(arguments.file, _overrides(arguments.set), _conditions(arguments))
-    render.render(scenario, out, _size(arguments.size))
+    scenario = load_scenario(arguments.file, to_overrides(arguments.set), to_conditions(arguments))
+    render.render(scenario, out, to_size(arguments.size))
     return 0
 
 
@@ -131,17 +132,17 @@ def _study(arguments: argparse.Namespace) -> int:
     from .commands import study
 
     file = Path(arguments.file)
-    out = file.with_suffix(".csv") if arguments.out is None else _file(arguments.out, "--out")
-    workers = None if arguments.workers is None else _whole(_WORKERS, arguments.workers, "--workers")
-    plan = study.Plan(out, _size(arguments.size), workers, arguments.cluster)
-    return study.study(file, plan, _overrides(arguments.set), _conditions(arguments))
+    out = file.with_suffix(".csv") if arguments.out is None else to_file(arguments.out, "--out")
+    workers = None if arguments.workers is None else to_whole(_WORKERS, arguments.workers, "--workers")
+    plan = study.Plan(out, to_size(arguments.size), workers, arguments.cluster)
+    return study.study(file, plan, to_overrides(arguments.set), to_conditions(arguments))
 
 
 def _replay(arguments: argparse.Namespace) -> int:
     from .commands import replay
 
     path = Path(arguments.file)
-    number = None if arguments.shot is None else _whole(_SHOTS, arguments.shot, "--shot")
+    number = None if arguments.shot is None else to_whole(_SHOTS, arguments.shot, "--shot")
     exports = arguments.png is not None or arguments.gif is not None
     if arguments.size is not None and not exports:
         raise InputError("command line", "--size", arguments.size, "allowed is only with --png or --gif")
@@ -150,9 +151,9 @@ def _replay(arguments: argparse.Namespace) -> int:
     if arguments.verify:
         return replay.check(path)
     if arguments.png is not None:
-        return replay.to_png(path, _file(arguments.png, "--png"), number, _size(arguments.size or "960x540"))
+        return replay.to_png(path, to_file(arguments.png, "--png"), number, to_size(arguments.size or "960x540"))
     if arguments.gif is not None:
-        return replay.to_gif(path, _file(arguments.gif, "--gif"), number, _size(arguments.size or "640x360"))
+        return replay.to_gif(path, to_file(arguments.gif, "--gif"), number, to_size(arguments.size or "640x360"))
     if arguments.list:
         return replay.tell(path)
     return replay.show(path, number)
@@ -167,9 +168,9 @@ def _tables(arguments: argparse.Namespace) -> int:
     if arguments.check is not None:
         return tables.check(arguments.check)
     if arguments.new is not None:
-        return tables.new(_file(arguments.new, "--new"), arguments.base or _TABLE)
+        return tables.new(to_file(arguments.new, "--new"), arguments.base or _TABLE)
     if arguments.name is not None:
-        return tables.tell(arguments.name, _overrides(arguments.set), _conditions(arguments))
+        return tables.tell(arguments.name, to_overrides(arguments.set), to_conditions(arguments))
     return tables.tell_all()
 
 
@@ -189,131 +190,75 @@ def _check_one_task(arguments: argparse.Namespace) -> None:
         raise InputError("command line", "", None, "--set and --conditions are allowed only with a table's NAME")
 
 
-def _file(text: str, name: str) -> Path:
-    """A file that is to be written."""
-    if not text:
-        raise InputError("command line", name, text, "allowed is the name of a file")
-    return Path(text)
-
-
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="pool2d", description="A 2D pool table whose physics can be trusted.")
+    parser = Parser(prog="pool2d", description="A 2D pool table whose physics can be trusted.")
     parser.add_argument("--version", action="version", version=f"pool2d {__version__} {engine()}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(name: str, run: Any, text: str) -> argparse.ArgumentParser:
-        sub = commands.add_parser(name, help=text, description=text)
-        sub.set_defaults(run=run)
-        sub.add_argument(
-            "--set",
-            action="append",
-            default=[],
-            metavar="NAME=VALUE",
-            help="override a knob: cloth.mu_roll=0.012",
-        )
-        sub.add_argument("--conditions", metavar="NAMES", help="lay over the table: heated,dirty-balls")
-        return sub
+    _add_play(commands)
+    _add_simulate(commands)
+    _add_render(commands)
+    _add_study(commands)
+    fit.register(commands)
+    _add_replay(commands)
+    _add_tables(commands)
+    return parser
 
-    play = command("play", _play, "Open a window and play (also without a command).")
+
+def _add_play(commands: Any) -> None:
+    parser = add(commands, "play", _play, "Open a window and play (also without a command).")
     # A percent sign would start one of argparse's own places.
     known = ", ".join([*catalogue.shipped(catalogue.TABLES), *catalogue.own(catalogue.TABLES)]).replace("%", "%%")
-    play.add_argument("--table", help=f"practise on a preset ({known}) or a .toml file")
-    play.add_argument("--seed", type=int, default=None, help="the first rack's seed; without it, a new one each time")
-    play.add_argument("--frames", type=int, default=None, help="stop after this many frames")
+    parser.add_argument("--table", help=f"practise on a preset ({known}) or a .toml file")
+    parser.add_argument("--seed", type=int, default=None, help="the first rack's seed; without it, a new one each time")
+    parser.add_argument("--frames", type=int, default=None, help="stop after this many frames")
 
-    simulate = command("simulate", _simulate, "Play scenario files without a screen and tell what happened.")
-    simulate.add_argument("files", nargs="*", metavar="FILE", help="a scenario, .toml or .json")
-    simulate.add_argument("--position", metavar="TEXT", help="instead of a file: 'pool-9ft cue@0.6,0.6 1@1.9,0.65'")
-    simulate.add_argument("--shot", metavar="TEXT", help="the shot to play there: 'cue:angle,speed,side,height'")
-    simulate.add_argument("--json", action="store_true", help="one line of JSON for each file")
-    simulate.add_argument("--sample", metavar="DT", help="add each ball's path, sampled every DT seconds")
-    simulate.add_argument("--events", metavar="N", help="stop after N events")
 
-    render = command("render", _render, "Draw a scenario's table, balls and the shot's paths to a picture.")
-    render.add_argument("file", metavar="FILE", help="a scenario, .toml or .json")
-    render.add_argument("out", metavar="OUT.png", help="the picture to write")
-    render.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
+def _add_simulate(commands: Any) -> None:
+    parser = add(commands, "simulate", _simulate, "Play scenario files without a screen and tell what happened.")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="a scenario, .toml or .json")
+    parser.add_argument("--position", metavar="TEXT", help="instead of a file: 'pool-9ft cue@0.6,0.6 1@1.9,0.65'")
+    parser.add_argument("--shot", metavar="TEXT", help="the shot to play there: 'cue:angle,speed,side,height'")
+    parser.add_argument("--json", action="store_true", help="one line of JSON for each file")
+    parser.add_argument("--sample", metavar="DT", help="add each ball's path, sampled every DT seconds")
+    parser.add_argument("--events", metavar="N", help="stop after N events")
 
-    study = command("study", _study, "Play every shot of a study, on all processors, to a CSV file and pictures.")
-    study.add_argument("file", metavar="FILE", help="a study, .toml: a scenario with [grid] or [noise]")
-    study.add_argument("--out", metavar="OUT", help="results, .csv or .parquet, with their pictures beside (FILE.csv)")
-    study.add_argument("--workers", metavar="N", help="so many processes (one for each processor)")
-    study.add_argument("--cluster", metavar="ADDRESS", help="instead of processes: a Dask scheduler, tcp://host:8786")
-    study.add_argument("--size", default="1280x720", metavar="WxH", help="of the pictures, in pixels (1280x720)")
 
-    replay = commands.add_parser("replay", help="Look at a recorded match in a window, verify it, or export a shot.")
-    replay.set_defaults(run=_replay)
-    replay.add_argument("file", metavar="FILE", help="a record")
-    what = replay.add_mutually_exclusive_group()
+def _add_render(commands: Any) -> None:
+    parser = add(commands, "render", _render, "Draw a scenario's table, balls and the shot's paths to a picture.")
+    parser.add_argument("file", metavar="FILE", help="a scenario, .toml or .json")
+    parser.add_argument("out", metavar="OUT.png", help="the picture to write")
+    parser.add_argument("--size", default="1280x720", metavar="WxH", help="its size in pixels (1280x720)")
+
+
+def _add_study(commands: Any) -> None:
+    parser = add(
+        commands, "study", _study, "Play every shot of a study, on all processors, to a CSV file and pictures."
+    )
+    parser.add_argument("file", metavar="FILE", help="a study, .toml: a scenario with [grid] or [noise]")
+    parser.add_argument("--out", metavar="OUT", help="results, .csv or .parquet, with their pictures beside (FILE.csv)")
+    parser.add_argument("--workers", metavar="N", help="so many processes (one for each processor)")
+    parser.add_argument("--cluster", metavar="ADDRESS", help="instead of processes: a Dask scheduler, tcp://host:8786")
+    parser.add_argument("--size", default="1280x720", metavar="WxH", help="of the pictures, in pixels (1280x720)")
+
+
+def _add_replay(commands: Any) -> None:
+    parser = commands.add_parser("replay", help="Look at a recorded match in a window, verify it, or export a shot.")
+    parser.set_defaults(run=_replay)
+    parser.add_argument("file", metavar="FILE", help="a record")
+    what = parser.add_mutually_exclusive_group()
     what.add_argument("--list", action="store_true", help="list the shots and what came of them")
     what.add_argument("--verify", action="store_true", help="play it again, and name where it first differs")
     what.add_argument("--png", metavar="DIR", help="write a shot as pictures, 25 a second")
     what.add_argument("--gif", metavar="FILE", help="write a shot as a moving picture")
-    replay.add_argument("--shot", metavar="N", help="which shot, from 1; without it the first, or to export the last")
-    replay.add_argument("--size", metavar="WxH", help="of the pictures, in pixels (960x540; of a GIF 640x360)")
-
-    tables = command("tables", _tables, "List the tables, show one, check files, or start a table of your own.")
-    tables.add_argument("name", nargs="?", metavar="NAME", help="show this one: every knob, and where it comes from")
-    tables.add_argument("--knobs", action="store_true", help="print every knob: name, default, range, unit, text")
-    tables.add_argument("--check", nargs="+", metavar="FILE", help="say what is wrong with preset files")
-    tables.add_argument("--new", metavar="FILE.toml", help="write a preset to start from; replaces nothing")
-    tables.add_argument("--base", metavar="NAME", help="what it starts from (pool-9ft)")
-    return parser
+    parser.add_argument("--shot", metavar="N", help="which shot, from 1; without it the first, or to export the last")
+    parser.add_argument("--size", metavar="WxH", help="of the pictures, in pixels (960x540; of a GIF 640x360)")
 
 
-class _Parser(argparse.ArgumentParser):
-    """An ArgumentParser whose complaints are one line."""
-
-    def error(self, message: str) -> Any:
-        raise InputError("command line", "", None, message)
-
-    def _print_message(self, message: str, file: Any = None) -> None:
-        """What is not a complaint: help, and the version."""
-        for line in message.splitlines():
-            terminal.tell(line)
-
-
-def _overrides(settings: list[str]) -> dict[str, Any]:
-    """`--set NAME=VALUE` as knobs and values; raises InputError."""
-    from .table.table_knobs import Knobs
-
-    overrides: dict[str, Any] = {}
-    for setting in settings:
-        name, sign, text = setting.partition("=")
-        if not sign:
-            raise InputError("--set", "", None, f"{setting!r} is not NAME=VALUE, as in cloth.mu_roll=0.012")
-        try:
-            overrides[name.strip()] = float(text)
-        except ValueError:
-            overrides[name.strip()] = text.strip()
-    apply(Knobs(), overrides, "--set")
-    return overrides
-
-
-def _conditions(arguments: argparse.Namespace) -> list[str]:
-    """`--conditions A,B` as names."""
-    return [] if arguments.conditions is None else [name.strip() for name in arguments.conditions.split(",")]
-
-
-def _number(knob: Knob, text: str, name: str) -> float:
-    try:
-        number: object = float(text)
-    except ValueError:
-        number = text
-    return float(knob.check(number, "command line", name))
-
-
-def _whole(knob: Knob, text: str, name: str) -> int:
-    number = _number(knob, text, name)
-    if not number.is_integer():
-        raise InputError("command line", name, text, f"allowed is a whole number; {knob.allowed()}")
-    return int(number)
-
-
-def _size(text: str) -> tuple[int, int]:
-    """`--size WxH` as two numbers."""
-    width, x, height = text.partition("x")
-    if not (x and width and height):
-        raise InputError("command line", "--size", text, "allowed is WIDTHxHEIGHT, such as 1280x720")
-    size = Knob(0, 64, 8192, "pixels", "")
-    return int(_number(size, width, "--size")), int(_number(size, height, "--size"))
+def _add_tables(commands: Any) -> None:
+    parser = add(commands, "tables", _tables, "List the tables, show one, check files, or start a table of your own.")
+    parser.add_argument("name", nargs="?", metavar="NAME", help="show this one: every knob, and where it comes from")
+    parser.add_argument("--knobs", action="store_true", help="print every knob: name, default, range, unit, text")
+    parser.add_argument("--check", nargs="+", metavar="FILE", help="say what is wrong with preset files")
+    parser.add_argument("--new", metavar="FILE.toml", help="write a preset to start from; replaces nothing")
+    parser.add_argument("--base", metavar="NAME", help="what it starts from (pool-9ft)")

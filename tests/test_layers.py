@@ -19,6 +19,7 @@ FLOORS = (
     ("pool2d.physics",),
     ("pool2d.table",),
     ("pool2d.study", "pool2d"),
+    ("pool2d.fit",),
     ("pool2d.game.rules",),
     ("pool2d.game",),
     ("pool2d.sound", "pool2d.draw"),
@@ -44,7 +45,8 @@ GUESTS = {
     "pygame": ("pool2d.sound", "pool2d.draw", "pool2d.ui"),
     "pyarrow": ("pool2d.study.parquet",),
     "distributed": ("pool2d.commands.study",),
-    "numpy": ("pool2d.study", "pool2d.sound", "pool2d.draw", "pool2d.ui"),
+    "scipy": ("pool2d.fit",),
+    "numpy": ("pool2d.study", "pool2d.fit", "pool2d.sound", "pool2d.draw", "pool2d.ui"),
 }
 
 

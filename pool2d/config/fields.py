@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from ..errors import InputError, suggest
@@ -24,3 +25,10 @@ def value_of(data: Mapping[str, Any], key: str, kind: type, source: str, default
     if type(value) is not kind:
         raise InputError(source, prefix + key, value, f"allowed is a {kind.__name__}")
     return value
+
+
+def number_in(text: str) -> float | str:
+    """The number that a text is; the text itself, without blanks around it, where it is none."""
+    with suppress(ValueError):
+        return float(text)
+    return text.strip()

@@ -75,22 +75,22 @@ def read_json(path: Path, most: int = _LARGEST) -> Any:
     return parse_json(read_bytes(path, most), str(path))
 
 
-def parse_json(content: bytes, source: str, line: int = 0) -> Any:
-    """What JSON holds; raises InputError where it is none, or its values are not sound."""
+def parse_json(content: bytes, source: str, line: int = 0, values: int = _MOST) -> Any:
+    """What JSON holds; raises InputError where it is none, its values are not sound, or it has more than so many."""
     try:
         data = json.loads(_decoded(content), object_pairs_hook=_once)
     except (ValueError, RecursionError) as error:
         raise InputError(source, "", None, f"not a JSON file: {error}", line) from error
-    check_sound(data, source, line=line)
+    check_sound(data, source, line=line, most=values)
     return data
 
 
-def check_sound(data: Any, source: str, key: str = "", line: int = 0) -> None:
+def check_sound(data: Any, source: str, key: str = "", line: int = 0, most: int = _MOST) -> None:
     """Raises InputError for a value that no file of pool2d may hold, naming its key."""
     for number, (name, value, depth) in enumerate(_walk(data, key, 0)):
         allowed = _unsound(value)
-        if number > _MOST:
-            name, value, allowed = "", None, f"too many values; allowed are {_MOST}"
+        if number > most:
+            name, value, allowed = "", None, f"too many values; allowed are {most}"
         elif depth > _DEEPEST:
             name, value, allowed = "", None, f"nested too deep; allowed are {_DEEPEST} levels"
         if allowed:

@@ -1,0 +1,61 @@
+"""What `pool2d fit` takes, and which of its tasks that asks for."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from ..config.files import write_text
+from ..config.knobs import Knob
+from ..errors import InputError
+from . import terminal
+from .arguments import add, to_conditions, to_file, to_number, to_overrides, to_whole
+
+_TABLE = "carom-10ft"
+_SHOTS = Knob(24, 1, 1000, "shots", "")
+_SEED = Knob(0, 0, 1e9, "", "")
+_NOISE = Knob(0.4, 0.0, 100.0, "mm", "")
+
+
+def register(commands: Any) -> None:
+    """Add the command to the others."""
+    text = "Find a table's knobs: from tracked shots, half of which are held back to judge by."
+    parser = add(commands, "fit", _run, text)
+    parser.add_argument("shots", nargs="?", metavar="SHOTS", help="tracked shots, .csv or .json")
+    parser.add_argument("--table", metavar="NAME", help=f"the preset to start from ({_TABLE}, or what SHOTS names)")
+    parser.add_argument("--noise", metavar="MM", help="how far off a ball is seen, mm (0.4)")
+    parser.add_argument("--make", metavar="FILE.csv", help="write shots made by the engine, to try a fit on")
+    parser.add_argument("--count", metavar="N", help="so many, with --make (24)")
+    parser.add_argument("--seed", metavar="N", help="drawn from this, with --make (0)")
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    if arguments.make is not None:
+        return _make(arguments)
+    if arguments.shots is None:
+        raise InputError("command line", "", None, "needed are SHOTS, a file of tracked shots, or --make FILE.csv")
+    from ..fit.track_file import read_tracks
+
+    found = read_tracks(Path(arguments.shots))
+    terminal.tell(f"{arguments.shots}: {len(found.shots)} shots, {sum(shot.points for shot in found.shots)} points")
+    return 0
+
+
+def _make(arguments: argparse.Namespace) -> int:
+    """Write made shots to a new file."""
+    from ..fit.made_tracks import make_shots, to_csv
+    from ..table.preset import load_table
+
+    path = to_file(arguments.make, "--make")
+    if arguments.shots is not None:
+        raise InputError("command line", "", None, "SHOTS and --make do not go together; allowed is one of them")
+    if path.suffix != ".csv":
+        raise InputError(str(path), "", None, "the name of made shots ends in .csv")
+    table = load_table(arguments.table or _TABLE, to_overrides(arguments.set), to_conditions(arguments))
+    count = to_whole(_SHOTS, arguments.count or "24", "--count")
+    seed = to_whole(_SEED, arguments.seed or "0", "--seed")
+    noise = to_number(_NOISE, arguments.noise or "0.4", "--noise") / 1000.0
+    write_text(path, to_csv(make_shots(table, count, seed, noise)), new=True)
+    terminal.tell(f"{path}: {count} shots made on {table.source}")
+    return 0
