@@ -93,7 +93,7 @@ class Session:
                 break
             if moment.rollout is not None:
                 return moment
-            if moment.action is None or isinstance(moment.action, Arrange | NextFrame):
+            if moment.action is None or isinstance(moment.action, Arrange | NextFrame | Stalemate):
                 break
         return None
 

@@ -17,13 +17,13 @@ from pool2d.game.rules.pool.blackball import Blackball
 from pool2d.game.rules.pool.free_pyramid import FreePyramid
 from pool2d.game.rules.snooker.six_red import MISSES, SixRed, SixRedState
 from pool2d.game.rules.snooker.snooker import points_left
-from pool2d.game.rules.spotting import put
+from pool2d.game.rules.spotting import CLEAR, put
 from pool2d.game.setup import Setup
 from pool2d.physics.values import POCKETED
 from pool2d.table.preset import presets
 
 from .cases import Case, rows
-from .notation import only, report
+from .notation import only, report, without
 from .rule_scenes import Scene, judged, told
 
 ENGLISH, SNOOKER, CAROM = load_table("english-7ft"), load_table("snooker-12ft"), load_table("carom-10ft")
@@ -234,3 +234,21 @@ def test_a_struck_ball_that_falls_is_told_and_stays_down() -> None:
     assert "own-ball" in [note.key for note in ruling.notes]
     back = FREE.judge(state, down, report("cue>", start=layout))
     assert [note.ball for note in back.notes if note.key == "spotted"] == ["colored"]
+
+
+def test_what_fell_by_a_foul_is_spotted_behind_the_foot_spot_or_else_before_it_touching_nothing() -> None:
+    """General rules of pyramid."""
+    foot, touch = PYRAMID.furniture.spots["foot"], 2.0 * PYRAMID.knobs.ball.radius
+    row = [f"{i}" for i in range(1, 16)]
+    layout = FREE.start().layout
+    for i, ball in enumerate(row):
+        # Ten balls from the spot to the foot leave no room for another; the rest lie at the head.
+        layout = put(layout, ball, (foot[0] + 1.3 * touch * i, foot[1]) if i < 10 else (0.1 * i, 0.1))
+    state = FREE._aiming(replace(FREE.start().state, shots=3), layout, 0)
+    ruling = FREE.judge(state, without(layout, "15"), report("15> cue|", start=layout))
+    ((ball, place),) = ruling.spotted
+    assert ball == "15" and place[1] == foot[1]
+    assert place[0] == pytest.approx(foot[0] - touch - CLEAR, abs=1e-8)
+    free = without(layout, *row[:10])
+    ruling = FREE.judge(FREE._aiming(state, free, 0), without(free, "14", "15"), report("14> 15>", start=free))
+    assert [place for _, place in ruling.spotted] == [foot, pytest.approx((foot[0] + touch + CLEAR, foot[1]), abs=1e-8)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 
@@ -98,3 +99,26 @@ def test_a_table_without_a_foot_spot_has_it_as_far_from_the_foot_as_the_head_spo
         x, y = table.furniture.spots["head"]
         assert foot_spot(table) == (table.knobs.table.length - x, y)
     assert foot_spot(TABLE) == (X, Y)
+
+
+def test_a_full_line_below_the_spot_sends_a_ball_above_without_touching_those_it_must_not() -> None:
+    layout = Layout([DOWN, *(Ball(str(i), X + i * TWO_R, Y) for i in range(11))])
+    _, ((_, apart),) = spot_balls(TABLE, layout, ("9",), (X, Y), frozenset(layout) - {"9"})
+    assert apart == pytest.approx((X - TWO_R - CLEAR, Y), abs=1e-8)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("apart", [False, True])
+def test_a_ball_is_spotted_as_near_as_there_is_room(way: int, apart: bool) -> None:
+    """Found again by trying place after place along the line, from the spot on."""
+    rng, step = random.Random(f"spots {way}"), 1e-4
+    for _ in range(30):
+        others = [Ball(str(i), X + rng.uniform(-0.2, 0.2), Y + rng.uniform(-0.08, 0.08)) for i in range(6)]
+        layout = Layout([DOWN._replace(id="cue"), *others])
+        found = nearest(TABLE, layout, "cue", (X, Y), way, frozenset(layout) if apart else frozenset())
+        assert found is not None and found[1] == Y
+        least = TWO_R + (CLEAR if apart else 0.0)
+        assert all(math.dist(found, (ball.x, ball.y)) >= least - 1e-9 for ball in others)
+        tried = (X + way * step * i for i in range(4000))
+        free = next(x for x in tried if all(math.dist((x, Y), (ball.x, ball.y)) > least + 1e-7 for ball in others))
+        assert -1e-6 <= way * (free - found[0]) <= step + 1e-6

@@ -1,0 +1,169 @@
+"""A session: what the window may know of a match, or of practice, and do in it."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from benchmarks.random_play import new_match, random_action
+from pool2d import Ball, InputError, Layout, Shot, Table
+from pool2d.game.actions import Stroke
+from pool2d.game.match import Match, lagged
+from pool2d.game.records.record import load
+from pool2d.game.rules import GAMES, Choice
+from pool2d.game.session import Session, practice, recorded
+from pool2d.game.setup import Setup
+
+
+def about_to_shoot(game: str) -> Session:
+    """A new match of a game, in which the first stroke is to be played."""
+    session, rng = Session(new_match(game, 5)), random.Random(game)
+    while session.ask.kind != "aim":
+        session.match.play(random_action(session.match, rng))
+    return session
+
+
+def test_a_frame_that_is_given_up_is_the_others_and_the_next_one_is_racked(table: Table) -> None:
+    session = Session(Match(table, Setup("nine-ball", race=2, breaker=0)))
+    session.play(Shot(0.0, 8.0))
+    session.concede(0)
+    assert (session.ask.kind, session.ask.player, session.match.frames) == ("over", 1, (0, 1))
+    assert session.last is session.match.history[1]
+    session.next_frame()
+    assert (session.ask.kind, session.ask.player, session.match.now.frame) == ("aim", 1, 1)
+    assert (session.strokes, session.left) == (0, 9)
+    assert session.last is session.rollout is session.shot is None
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_a_stalemate_leaves_no_last_stroke(game: str) -> None:
+    session = about_to_shoot(game)
+    begun = len(session.layout.on_table())
+    shot = Shot(0.0, 3.0, ball=session.cue.id)
+    rollout = session.play(shot)
+    assert session.last is session.match.now
+    assert (session.rollout, session.shot) == (rollout, shot)
+    session.stalemate()
+    assert session.last is session.rollout is session.shot is None
+    assert session.strokes == 0
+    assert len(session.layout.on_table()) == begun or lagged(session.match.state)
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_every_stroke_is_counted_until_the_balls_are_racked(game: str) -> None:
+    """A rack that a stroke leads to begins anew, or, as at straight pool, goes on."""
+    session, rng = Session(new_match(game, 8)), random.Random(f"{game} strokes")
+    for _ in range(25):
+        if session.match.over:
+            break
+        before, action = session.match.state, random_action(session.match, rng)
+        session.match.play(action)
+        after = session.match.state
+        if isinstance(action, Stroke) and not (lagged(before) or after.over):
+            assert after.shots == before.shots + 1 or (after.racks > before.racks and after.shots == 0)
+        elif isinstance(action, Choice) and action.key == "place":
+            assert after.shots == before.shots
+
+
+def test_the_balls_left_are_those_on_the_table_but_for_the_one_to_be_struck(table: Table) -> None:
+    session = practice(table)
+    assert session.left == 15
+    session.arrange(Layout([Ball("cue", 1.27, 0.9), Ball("1", 1.27, 0.3), Ball("2", 0.3, 1.0)]))
+    assert (session.left, session.strokes, session.last) == (2, 0, None)
+    session.play(Shot(-90.0, 2.0, height=-0.05))
+    assert (session.left, session.strokes, session.layout["1"].phase) == (1, 1, "pocketed")
+
+
+def test_the_first_rack_of_the_table_is_taken_or_the_one_that_is_named(table: Table) -> None:
+    session = practice(table)
+    first = next(iter(table.furniture.racks))
+    session.rack(4)
+    assert session.layout == table.rack(first, 4)
+    session.rack(4, "nine-ball")
+    assert session.layout == table.rack("nine-ball", 4)
+    assert len(session.layout) == 10
+    with pytest.raises(InputError, match="practice only"):
+        Session(Match(table, Setup("nine-ball"))).rack(4)
+
+
+def test_another_ball_is_struck_once_where_the_rules_leave_the_choice() -> None:
+    session = about_to_shoot("free-pyramid")
+    with pytest.raises(InputError, match="ball to be struck = '3': allowed is cue"):
+        session.take_cue("3")
+    session.play(Shot(0.5, 9.0))
+    while session.ask.kind == "choose":
+        session.choose("accept")
+    usual = session.cue.id
+    other = next(ball for ball in session.ask.cues if ball != usual)
+    session.take_cue(other)
+    assert session.cue == session.layout[other]
+    assert session.left == len(session.layout.on_table()) - 1
+    with pytest.raises(InputError, match=r"allowed is .*cue.*, "):
+        session.take_cue("nine")
+    # What was taken is of the moment: gone after the stroke, and when it is undone.
+    session.play(Shot(40.0, 2.0, ball=other))
+    assert session.match.now.report is not None and session.match.now.report.cue == other
+    assert session.cue.id == session.ask.ball
+    session.undo()
+    assert session.cue.id == usual
+
+
+def test_a_cue_ball_given_by_a_foul_is_so_until_it_is_placed(table: Table) -> None:
+    session = Session(Match(table, Setup("nine-ball", breaker=0)))
+    # In hand for the break, but by no foul; so it is in practice.
+    assert session.movable and not session.in_hand and not session.in_hand_by_foul
+    assert not practice(table).in_hand_by_foul
+    session.play(Shot(180.0, 1.0))
+    assert session.ruling.foul and session.ask.kind == "aim" and session.in_hand_by_foul
+    assert session.may_place(0.5, 0.5) and not session.may_place(9.0, 0.5)
+    assert not session.place(9.0, 0.5)
+    assert session.in_hand_by_foul
+    assert session.place(0.5, 0.5)
+    assert session.movable and not session.in_hand_by_foul
+    session.play(Shot(90.0, 1.0))
+    session.place(0.4, 0.4)
+    session.undo()
+    # Undone with the place is the stroke before it; the stroke is the other player's.
+    assert session.ask.player == 1
+
+
+def test_only_practice_goes_on_on_another_table(table: Table) -> None:
+    slow = table.with_knobs({"cloth.mu_roll": 0.02})
+    session = practice(table)
+    session.change_table(slow)
+    assert session.table is slow and session.is_practice
+    match = Session(Match(table, Setup("nine-ball")))
+    with pytest.raises(InputError, match="the table stays as it is"):
+        match.change_table(slow)
+    assert match.table is table and not match.is_practice
+
+
+def test_a_match_that_was_left_at_once_leaves_no_record_and_another_stays(table: Table) -> None:
+    session = recorded(table, Setup("nine-ball", breaker=0))
+    assert session.recorder is not None
+    path = session.recorder.path
+    assert path.exists()
+    session.leave()
+    assert not path.exists()
+    session = recorded(table, Setup("nine-ball", breaker=0))
+    assert session.recorder is not None
+    session.play(Shot(180.0, 1.0))
+    assert session.undo() and session.redo()
+    session.leave()
+    done = [line.data["do"] for line in load(session.recorder.path).entries]
+    assert done == ["stroke", "undo", "redo"]
+
+
+def test_a_ball_in_hand_off_the_table_has_to_be_placed_first(table: Table) -> None:
+    session = Session(Match(table, Setup("nine-ball", breaker=0)))
+    session.place(0.3, 0.3)
+    # Into the corner at the head, behind which the cue ball lies.
+    session.play(Shot(225.0, 1.5))
+    assert session.layout["cue"].phase == "pocketed"
+    assert session.in_hand and session.movable and not session.in_hand_by_foul
+    assert session.left == 9
+    with pytest.raises(InputError, match="allowed is what is asked for: place"):
+        session.play(Shot(0.0, 1.0))
+    assert session.place(1.0, 0.3)
+    assert not session.in_hand and session.layout["cue"].x == 1.0
