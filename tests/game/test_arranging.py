@@ -106,3 +106,15 @@ def test_a_cue_ball_that_falls_ends_the_attempt_and_is_not_in_hand() -> None:
     session.play(Shot(math.degrees(math.atan2(-cue.y, -cue.x)), 3.0))
     assert session.run.standing.missed == "cue_fell"
     assert not session.in_hand
+
+
+def test_the_last_stroke_of_a_drill_is_of_this_attempt() -> None:
+    drill = load("cut-ladder-left")
+    session = DrillSession(drill)
+    assert session.last is None
+    rollout = session.play(drill.solution[0])
+    # The balls are set up for the next step, and the stroke can still be seen again.
+    assert session.rollout is rollout and session.shot == drill.solution[0]
+    session.rack()
+    assert (session.last, session.layout, session.run.results) == (None, drill.layout, ())
+    assert not session.undo() and not session.redo()

@@ -247,3 +247,32 @@ def test_a_run_adds_its_attempts_up(tmp_path: Path) -> None:
 def test_a_report_of_nothing_meets_no_goal(tmp_path: Path) -> None:
     drill = drill_of(tmp_path, 'first = "any"')
     assert faults(drill.table, replace(drill.steps[0], driven=1), Report(), drill.layout)
+
+
+@pytest.mark.parametrize(
+    ("steps", "top", "key"),
+    [
+        (100, "", "steps"),
+        (1, 'name = "{}"\n', "name"),
+        (1, 'text = "{}"\n', "text"),
+        (1, 'de.name = "{}"\n', "de.name"),
+        (1, "tries = {}\n", "tries"),
+        (3, "pass = {}\n", "pass"),
+    ],
+)
+def test_what_a_drill_may_have_most_of_is_had_and_no_more(tmp_path: Path, steps: int, top: str, key: str) -> None:
+    most = {"name": "x" * 80, "text": "x" * 1000, "de.name": "x" * 80, "tries": "100", "pass": "3"}.get(key, "")
+    more = most + "x" if most.startswith("x") else str(int(most or 0) + 1)
+    drill = drill_of(tmp_path, "\n[[steps]]" * (steps - 1), top.format(most))
+    assert len(drill.steps) == steps
+    had = {"name": drill.name, "text": drill.text, "de.name": drill.wording_in("de").name, "tries": str(drill.tries)}
+    assert had.get(key, most) == most
+    with pytest.raises(InputError, match=rf"{key} = .*allowed is "):
+        drill_of(tmp_path, "\n[[steps]]" * (steps if key == "steps" else steps - 1), top.format(more))
+
+
+@pytest.mark.parametrize("banks", [1, 2])
+def test_a_ball_that_does_not_fall_was_not_banked(tmp_path: Path, banks: int) -> None:
+    drill = drill_of(tmp_path, f"banks = {banks}")
+    for shot in ("cue-1 1|right 1|top 1|left", "cue-1 1|", ""):
+        assert faults(drill.table, drill.steps[0], report(shot), drill.layout) == "few_banks"

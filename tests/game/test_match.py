@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 import random
-from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from benchmarks.random_play import new_match, random_action
@@ -16,8 +15,7 @@ from pool2d.game.actions import Action, Arrange, Concede, NextFrame, Stalemate, 
 from pool2d.game.match import Match, Moment
 from pool2d.game.rules import GAMES, Choice
 from pool2d.game.rules.report import Call
-from pool2d.game.session import Session
-from pool2d.game.setup import LOSER, WINNER, Setup, setup_of
+from pool2d.game.setup import LOSER, WINNER, Setup
 from pool2d.game.tally import after_stroke
 from pool2d.physics.values import POCKETED
 
@@ -209,42 +207,6 @@ def test_what_is_not_asked_for_changes_nothing(table: Table, action: Action, wor
     assert match.redo()
 
 
-@pytest.mark.parametrize(
-    ("changed", "words"),
-    [
-        ({"game": "nineball"}, "did you mean nine-ball"),
-        ({"options": {"ten": "wins"}}, "ten"),
-        ({"race": 0}, "race = 0.*from 1 to 100"),
-        ({"race": 1.5}, "race = 1.5"),
-        ({"seed": "x"}, "seed = 'x'"),
-        ({"breaks": "often"}, "breaks = 'often'"),
-        ({"breaker": 2}, "breaker = 2: allowed is 0 to 1, -1 for a coin and -2 for a lag"),
-        ({"names": ("Ann",)}, "allowed are 2 names"),
-        ({"names": ("Ann", "B\nb")}, "printable"),
-        ({"names": ("Ann", " ")}, "printable"),
-    ],
-)
-def test_bad_setups_are_refused(table: Table, changed: dict[str, object], words: str) -> None:
-    with pytest.raises(InputError, match=words):
-        Match(table, replace(Setup("nine-ball"), **changed))  # type: ignore[arg-type]
-
-
-def test_a_setup_comes_back_from_json() -> None:
-    setup = Setup("nine-ball", {"three_foul": "no"}, ("Ann", "Bob"), 5, WINNER, 1, 7)
-    assert setup_of(json.loads(json.dumps(setup.as_dict())), "header") == setup
-    with pytest.raises(InputError, match="did you mean race"):
-        setup_of({"racee": 1}, "header")
-    with pytest.raises(InputError, match="names = 3"):
-        setup_of({"names": 3}, "header")
-
-
-@settings(max_examples=20)
-@given(st.integers(0, 10_000))
-def test_players_are_named(seed: int) -> None:
-    match = new_match("nine-ball", seed)
-    assert match.names == ("Player 1", "Player 2")
-
-
 def rolled(*speeds: float) -> Match:
     """Practice on a 9-foot table in which the cue ball was rolled along the table, again and again."""
     match = Match(load_table("pool-9ft"), Setup("practice"))
@@ -295,23 +257,3 @@ def test_balls_that_grow_a_hair_too_large_are_set_apart_on_the_way_back() -> Non
     a, b = match.layout["cue"], match.layout["1"]
     assert b.y - a.y >= 2.0 * (radius + 4e-7) - 1e-9
     assert match.redo() and match.undo()
-
-
-def test_undo_and_redo_of_a_session_pass_over_placements() -> None:
-    session = Session(Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0)))
-    begun = session.match.now
-    # A cue ball that comes back without a hit is a foul, after which it may be placed.
-    session.play(Shot(180.0, 0.3))
-    fouled = session.match.now
-    assert session.ask.where == "anywhere"
-    assert session.place(0.5, 0.4) and session.place(0.5, 0.5)
-    placed = session.match.now
-    session.play(Shot(90.0, 0.3))
-    last = session.match.now
-    # Back to where the cue ball was put for the stroke, and from there past both places to before the one before.
-    assert session.undo() and session.match.now is placed
-    assert session.undo() and session.match.now is begun
-    assert not session.undo()
-    assert session.redo() and session.match.now is fouled
-    assert session.redo() and session.match.now is last
-    assert not session.redo()

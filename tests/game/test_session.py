@@ -7,9 +7,9 @@ import random
 import pytest
 
 from benchmarks.random_play import new_match, random_action
-from pool2d import Ball, InputError, Layout, Shot, Table
+from pool2d import Ball, InputError, Layout, Rollout, Shot, Table
 from pool2d.game.actions import Stroke
-from pool2d.game.match import Match, lagged
+from pool2d.game.match import Match, Moment, lagged
 from pool2d.game.records.record import load
 from pool2d.game.rules import GAMES, Choice
 from pool2d.game.session import Session, practice, recorded
@@ -24,16 +24,21 @@ def about_to_shoot(game: str) -> Session:
     return session
 
 
+def lasts(session: Session) -> tuple[Moment | None, Rollout | None, Shot | None]:
+    """What can be seen again."""
+    return session.last, session.rollout, session.shot
+
+
 def test_a_frame_that_is_given_up_is_the_others_and_the_next_one_is_racked(table: Table) -> None:
     session = Session(Match(table, Setup("nine-ball", race=2, breaker=0)))
     session.play(Shot(0.0, 8.0))
     session.concede(0)
     assert (session.ask.kind, session.ask.player, session.match.frames) == ("over", 1, (0, 1))
-    assert session.last is session.match.history[1]
+    assert session.last == session.match.history[1]
     session.next_frame()
     assert (session.ask.kind, session.ask.player, session.match.now.frame) == ("aim", 1, 1)
     assert (session.strokes, session.left) == (0, 9)
-    assert session.last is session.rollout is session.shot is None
+    assert lasts(session) == (None, None, None)
 
 
 @pytest.mark.parametrize("game", GAMES)
@@ -42,10 +47,9 @@ def test_a_stalemate_leaves_no_last_stroke(game: str) -> None:
     begun = len(session.layout.on_table())
     shot = Shot(0.0, 3.0, ball=session.cue.id)
     rollout = session.play(shot)
-    assert session.last is session.match.now
-    assert (session.rollout, session.shot) == (rollout, shot)
+    assert lasts(session) == (session.match.now, rollout, shot)
     session.stalemate()
-    assert session.last is session.rollout is session.shot is None
+    assert lasts(session) == (None, None, None)
     assert session.strokes == 0
     assert len(session.layout.on_table()) == begun or lagged(session.match.state)
 
@@ -167,3 +171,23 @@ def test_a_ball_in_hand_off_the_table_has_to_be_placed_first(table: Table) -> No
         session.play(Shot(0.0, 1.0))
     assert session.place(1.0, 0.3)
     assert not session.in_hand and session.layout["cue"].x == 1.0
+
+
+def test_undo_and_redo_pass_over_placements(table: Table) -> None:
+    session = Session(Match(table, Setup("nine-ball", breaker=0)))
+    begun = session.match.now
+    # A cue ball that comes back without a hit is a foul, after which it may be placed.
+    session.play(Shot(180.0, 0.3))
+    fouled = session.match.now
+    assert session.ask.where == "anywhere"
+    assert session.place(0.5, 0.4) and session.place(0.5, 0.5)
+    placed = session.match.now
+    session.play(Shot(90.0, 0.3))
+    last = session.match.now
+    # Back to where the cue ball was put for the stroke, and from there past both places to before the one before.
+    assert session.undo() and session.match.now is placed
+    assert session.undo() and session.match.now is begun
+    assert not session.undo()
+    assert session.redo() and session.match.now is fouled
+    assert session.redo() and session.match.now is last
+    assert not session.redo()
