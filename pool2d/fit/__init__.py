@@ -1,1 +1,1 @@
-"""A table's knobs by what its balls did: tracked shots, and the launches and knobs that they are most like."""
+"""A table's knobs by what its balls did: tracked shots, or measurements made by hand, and what they are most like."""
