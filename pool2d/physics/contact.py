@@ -66,7 +66,7 @@ class Contacts:
             if met is not None:
                 met.rails.sort(key=lambda rail: rail != (ball, element.name))
                 return met
-            self.materials.cushion_law.collide(ball, nx, ny, self.materials.cushion)
+            self.materials.cushion_law.collide(ball, nx, ny, self.materials.of(element))
         return Met([], [(ball, element.name)], pressed)
 
     def balls(self, a: Body, b: Body, now: float) -> Met:

@@ -26,13 +26,15 @@ class Element:
     """A part of the table that a ball can meet. New kinds of element need only this.
 
     `kind` is the kind of event, `name` what its `where` says; (left, bottom, right, top) is a box that holds it.
+    `facing` is whether it is the end of a cushion in a pocket, which is of other stuff than the cushion.
     """
 
-    __slots__ = ("kind", "name", "left", "bottom", "right", "top")
+    __slots__ = ("kind", "name", "facing", "left", "bottom", "right", "top")
 
-    def __init__(self, kind: EventKind, name: str) -> None:
+    def __init__(self, kind: EventKind, name: str, facing: bool = False) -> None:
         self.kind: EventKind = kind
         self.name = name
+        self.facing = facing
         # Until a table says how far it reaches, it is everywhere.
         self.left = self.bottom = -INF
         self.right = self.top = INF
@@ -71,8 +73,8 @@ class Rail(Element):
 
     __slots__ = ("ax", "ay", "bx", "by", "dx", "dy", "length")
 
-    def __init__(self, name: str, ax: float, ay: float, bx: float, by: float) -> None:
-        super().__init__("ball_cushion", name)
+    def __init__(self, name: str, ax: float, ay: float, bx: float, by: float, facing: bool = False) -> None:
+        super().__init__("ball_cushion", name, facing)
         self.ax, self.ay, self.bx, self.by = ax, ay, bx, by
         self.length = math.hypot(bx - ax, by - ay)
         self.dx, self.dy = (bx - ax) / self.length, (by - ay) / self.length
@@ -106,8 +108,8 @@ class Jaw(Element):
 
     __slots__ = ("x", "y", "radius")
 
-    def __init__(self, name: str, x: float, y: float, radius: float) -> None:
-        super().__init__("ball_cushion", name)
+    def __init__(self, name: str, x: float, y: float, radius: float, facing: bool = False) -> None:
+        super().__init__("ball_cushion", name, facing)
         self.x, self.y, self.radius = x, y, radius
 
     def time(self, motion: Motion, reach: float, end: float) -> float:

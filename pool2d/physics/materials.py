@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import final
 
+from .detect import Element
 from .laws.law import BallLaw, BallNumbers, CushionLaw, CushionNumbers
 from .laws.registry import BALL_LAWS, CUSHION_LAWS
 from .motion import ClothNumbers
@@ -12,9 +13,9 @@ from .params import Physics
 
 @final
 class Materials:
-    """The two laws of a table, the numbers that each reads, and the cloth's."""
+    """The two laws of a table, the numbers that each reads, those of its pockets' facings, and the cloth's."""
 
-    __slots__ = ("ball_law", "ball", "cushion_law", "cushion", "cloth")
+    __slots__ = ("ball_law", "ball", "cushion_law", "cushion", "facing", "cloth")
 
     def __init__(
         self,
@@ -22,23 +23,35 @@ class Materials:
         ball: BallNumbers,
         cushion_law: CushionLaw,
         cushion: CushionNumbers,
+        facing: CushionNumbers,
         cloth: ClothNumbers,
     ) -> None:
         self.ball_law = ball_law
         self.ball = ball
         self.cushion_law = cushion_law
         self.cushion = cushion
+        self.facing = facing
         self.cloth = cloth
+
+    def of(self, element: Element) -> CushionNumbers:
+        """The numbers of a nose or a jaw: a cushion's, or a facing's."""
+        return self.facing if element.facing else self.cushion
 
 
 def materials(physics: Physics) -> Materials:
     """The laws that a table's knobs name, with their numbers."""
-    ball, cushion, cloth = physics.ball, physics.cushion, physics.cloth
+    ball, cushion, facing, cloth = physics.ball, physics.cushion, physics.facing, physics.cloth
     law = BALL_LAWS[ball.law]
     return Materials(
         law,
         BallNumbers(ball.restitution, law.friction(ball.friction, ball.cling), cloth.mu_slide),
         CUSHION_LAWS[cushion.law],
         CushionNumbers(cushion.restitution, cushion.friction, cushion.nose_height, cloth.mu_slide),
+        CushionNumbers(
+            facing.restitution * cushion.restitution,
+            facing.friction * cushion.friction,
+            cushion.nose_height,
+            cloth.mu_slide,
+        ),
         ClothNumbers(cloth.mu_slide, cloth.mu_roll, cloth.mu_spin, physics.gravity),
     )

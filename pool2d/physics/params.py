@@ -35,6 +35,14 @@ class CushionKnobs:
 
 
 @dataclass(frozen=True, slots=True)
+class FacingKnobs:
+    """What pockets' facings are of, beside the cushions whose ends they are; 1 is the cushion's own."""
+
+    restitution: float = knob(1.0, 0.0, 1.0, "", "speed kept across a pocket's facing, as a part of a cushion's")
+    friction: float = knob(1.0, 0.0, 5.0, "", "friction between a ball and a pocket's facing, in times a cushion's")
+
+
+@dataclass(frozen=True, slots=True)
 class Cue:
     mass: float = knob(0.54, 0.1, 2.0, "kg", "mass of the cue")
     end_mass: float = knob(0.0085, 0.0, 0.1, "kg", "mass of the shaft's end that moves aside: squirt; 0 is none")
@@ -50,4 +58,5 @@ class Physics:
     cloth: Cloth = field(default_factory=Cloth)
     ball: BallKnobs = field(default_factory=BallKnobs)
     cushion: CushionKnobs = field(default_factory=CushionKnobs)
+    facing: FacingKnobs = field(default_factory=FacingKnobs)
     cue: Cue = field(default_factory=Cue)

@@ -154,7 +154,7 @@ class NoseSpring(Spring):
         self.nx, self.ny = element.normal(ball.x, ball.y)
         self.name = element.name
         self.share = share
-        self.nose: Nose = materials.cushion_law.nose(ball.radius, materials.cushion)
+        self.nose: Nose = materials.cushion_law.nose(ball.radius, materials.of(element))
         self.stiffness = RUBBER / ball.mass
         self.deepest = 0.0
         self.power = 0.0

@@ -140,8 +140,8 @@ def _end(
     centre = (nose[0] + ix * knobs.jaw_radius, nose[1] + iy * knobs.jaw_radius)
     inner = (tx + fx * trim, ty + fy * trim)
     back = (tx + fx * length, ty + fy * length)
-    facing = Rail(name, *back, *inner) if hand > 0.0 else Rail(name, *inner, *back)
-    return _End(nose, [facing, Jaw(name, *centre, knobs.jaw_radius)], [*_arc(centre, nose, inner), back])
+    facing = Rail(name, *back, *inner, True) if hand > 0.0 else Rail(name, *inner, *back, True)
+    return _End(nose, [facing, Jaw(name, *centre, knobs.jaw_radius, True)], [*_arc(centre, nose, inner), back])
 
 
 def _bend(corner: Corner, turn: float, away: Point, hand: float, radius: float) -> _End:

@@ -27,7 +27,7 @@ _PLAIN = ("name", "base", "gravity", "outline")
 # Far more than anybody builds on each other; each is read.
 _MOST_BASES = 20
 _LONGEST_TITLE = 80
-_CONDITIONS = ("cloth", "ball", "cushion")
+_CONDITIONS = ("cloth", "ball", "cushion", "facing")
 
 
 @dataclass(frozen=True, slots=True)

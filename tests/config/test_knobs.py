@@ -17,6 +17,7 @@ CONTRACT = {
     "cloth": ("mu_slide", "mu_roll", "mu_spin"),
     "ball": ("radius", "mass", "restitution", "friction", "law"),
     "cushion": ("restitution", "friction", "nose_height", "law"),
+    "facing": ("restitution", "friction"),
     "cue": ("mass", "end_mass", "tip_restitution", "tip_friction"),
     "table": ("length", "width"),
     "corner": POCKET,

@@ -24,7 +24,7 @@ PAGES = {
     "cloth": ("gravity", "cloth."),
     "balls": ("ball.",),
     "cushions": ("cushion.",),
-    "pockets": ("corner.", "side."),
+    "pockets": ("corner.", "side.", "facing."),
     "cue": ("cue.",),
     "table": ("table.",),
 }
