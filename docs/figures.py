@@ -20,6 +20,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle
 
 from pool2d import Ball, Event, Layout, Rollout, Table, load_table, simulate
+from pool2d.physics.materials import materials
 
 HERE = Path(__file__).parent / "figures"
 _DATA = json.loads((Path(__file__).parents[1] / "tests" / "contacts.json").read_text(encoding="utf-8"))
@@ -131,6 +132,41 @@ def cushions(axes: Axes) -> None:
     axes.legend()
 
 
+def friction(axes: Axes) -> None:
+    """Friction between balls by slip: Marlow's three points and the default through them, and a match set's."""
+    slips = [0.02 * i for i in range(1, 360)]
+    for color, name, label in ((COLORS[0], "pool-9ft", "default"), (COLORS[1], "carom-10ft", "carom-10ft")):
+        mu = materials(load_table(name).knobs).ball.friction
+        axes.semilogx(slips, [mu.at(slip) for slip in slips], color=color, label=label)
+    axes.plot([0.0707, 0.707, 7.07], [0.11, 0.06, 0.01], "o", color=COLORS[0], markersize=4, label="Marlow")
+    axes.set(xlabel="slip, m/s", ylabel="coefficient of friction", title="Friction between balls")
+    axes.legend()
+
+
+def springing_back(axes: Axes) -> None:
+    """By how much rubber that springs back along the rail turns a rolling ball, over its english."""
+    table = load_table("carom-10ft")
+    sides = [0.05 * i for i in range(-40, 41)]
+    for color, incidence in zip(COLORS, (70.0, 55.0, 40.0), strict=False):
+        ways = [
+            [
+                -direction(rebound(table.with_knobs({"cushion.tangential": value}), incidence, 1.0, side))
+                for side in sides
+            ]
+            for value in (table.knobs.cushion.tangential, 0.0)
+        ]
+        turned = [without - there for there, without in zip(*ways, strict=True)]
+        axes.plot(sides, turned, color=color, label=f"{90.0 - incidence:g} degrees from the normal")
+    for seen, name in ((-1.9, "strong reverse"), (-1.6, "reverse"), (-0.6, "little"), (-0.1, "strong running")):
+        axes.axhline(seen, color="#999999", linewidth=0.8, linestyle="--")
+        axes.annotate(name, (2.1, seen + 0.05), fontsize=7, ha="right")
+    axes.set(
+        xlabel="english R w / v, running to the right", ylabel="degrees further from the normal",
+        title="Rubber that springs back; dashed: tracked shots",
+    )  # fmt: skip
+    axes.legend()
+
+
 def bend(axes: Axes) -> None:
     """Speed carries the cue ball down the tangent line before its roll bends it: half-ball hits."""
     table = TABLE.with_knobs({"ball.restitution": 1.0, "ball.law": "frictionless"})
@@ -198,7 +234,9 @@ def rack(axes: Axes) -> None:
 FIGURES: dict[str, Callable[[Axes], None]] = {
     "throw": throw,
     "thirty-degrees": thirty_degrees,
+    "friction": friction,
     "cushions": cushions,
+    "springing-back": springing_back,
     "bend": bend,
     "chain": chain,
     "rack": rack,

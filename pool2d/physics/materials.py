@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import final
 
 from .detect import Element
-from .laws.law import BallLaw, BallNumbers, CushionLaw, CushionNumbers
+from .laws.law import BallLaw, BallNumbers, CushionLaw, CushionNumbers, Friction
 from .laws.registry import BALL_LAWS, CUSHION_LAWS
 from .motion import ClothNumbers
 from .params import Physics
@@ -44,11 +44,19 @@ def materials(physics: Physics) -> Materials:
     law = BALL_LAWS[ball.law]
     return Materials(
         law,
-        BallNumbers(ball.restitution, law.friction(ball.friction, ball.cling), cloth.mu_slide),
+        BallNumbers(
+            ball.restitution,
+            law.friction(
+                Friction(ball.friction, scale=ball.cling),
+                Friction(ball.friction_a, ball.friction_b, ball.friction_c, ball.cling),
+            ),
+            cloth.mu_slide,
+        ),
         CUSHION_LAWS[cushion.law],
-        CushionNumbers(cushion.restitution, cushion.friction, cushion.nose_height, cloth.mu_slide),
+        CushionNumbers(cushion.restitution, cushion.tangential, cushion.friction, cushion.nose_height, cloth.mu_slide),
         CushionNumbers(
             facing.restitution * cushion.restitution,
+            cushion.tangential,
             facing.friction * cushion.friction,
             cushion.nose_height,
             cloth.mu_slide,

@@ -21,7 +21,12 @@ class BallKnobs:
     radius: float = knob(0.028575, 0.01, 0.06, "m", "radius of a ball")
     mass: float = knob(0.17, 0.01, 2.0, "kg", "mass of a ball")
     restitution: float = knob(0.95, 0.0, 1.0, "", "speed kept along the line of centres, ball on ball")
-    friction: float = knob(0.06, 0.0, 1.0, "", "friction between two balls")
+    friction: float = knob(0.06, 0.0, 1.0, "", "friction between two balls, for laws with the same at any slip")
+    friction_a: float = knob(9.951e-3, 0.0, 1.0, "", "friction a + b exp(-c slip) between two balls: at fast slip")
+    friction_b: float = knob(0.108, 0.0, 1.0, "", "friction a + b exp(-c slip) between two balls: what slow slip adds")
+    friction_c: float = knob(
+        1.088, 0.0, 20.0, "s/m", "friction a + b exp(-c slip) between two balls: how soon it falls"
+    )
     cling: float = knob(1.0, 0.0, 5.0, "", "multiplies the friction between balls: dirt and chalk, up to 3")
     law: str = choice("alciatore", tuple(BALL_LAWS), "how two balls exchange impulse")
 
@@ -29,6 +34,7 @@ class BallKnobs:
 @dataclass(frozen=True, slots=True)
 class CushionKnobs:
     restitution: float = knob(0.92, 0.0, 1.0, "", "speed kept across the cushion")
+    tangential: float = knob(0.0, 0.0, 1.0, "", "slip along the cushion that its rubber gives back after a grip")
     friction: float = knob(0.17, 0.0, 1.0, "", "friction between a ball and the cushion")
     nose_height: float = knob(0.0362903, 0.01, 0.1, "m", "height of the cushion's nose above the cloth")
     law: str = choice("mathavan2010", tuple(CUSHION_LAWS), "how a cushion returns a ball")

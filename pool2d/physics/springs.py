@@ -13,7 +13,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Final, final
 
 from .detect import TOUCH
-from .laws.nose import along_nose, rate
+from .laws.nose import along_nose, rate, sprung_back
 from .laws.pair import normal, push, slip
 from .laws.rebound import rebound
 
@@ -33,6 +33,7 @@ RUBBER: Final = 1.05e5
 STEPS: Final = 60
 # A cushion that has relaxed to this part of its greatest force, and is being left, lets go.
 _SPENT: Final = 1e-9
+_NOTHING: Final = (0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class Spring:
@@ -142,11 +143,14 @@ class NoseSpring(Spring):
     """A ball in a cushion: a linear spring in plan that gives back e^2 of the work it took, with friction.
 
     On the way out it follows k D (d/D)^q from its greatest depth D, with q = 2/e^2 - 1 for that part of
-    the work, and whatever the speed: so a ball alone comes off as `mathavan2010` has it. `share` is how
+    the work, and whatever the speed: so a ball alone comes off as `mathavan2010` has it. When it lets go it springs
+    back along the rail, after what it has `turned` the ball with a `push`. `share` is how
     many cushions the ball is in, which together must not hold it by more than one would.
     """
 
-    __slots__ = ("ball", "nx", "ny", "name", "share", "nose", "stiffness", "deepest", "power", "change")
+    __slots__ = (
+        "ball", "nx", "ny", "name", "share", "nose", "stiffness", "deepest", "power", "change", "turned", "push",
+    )  # fmt: skip
 
     def __init__(self, ball: Body, element: Element, gap: float, share: int, materials: Materials) -> None:
         super().__init__((ball,), gap, stay(ball) / STEPS)
@@ -158,7 +162,9 @@ class NoseSpring(Spring):
         self.stiffness = RUBBER / ball.mass
         self.deepest = 0.0
         self.power = 0.0
-        self.change = (0.0, 0.0, 0.0, 0.0, 0.0)
+        self.change = _NOTHING
+        self.turned = 0.0
+        self.push = 0.0
 
     def closing(self) -> float:
         return self.ball.vx * self.nx + self.ball.vy * self.ny
@@ -172,17 +178,28 @@ class NoseSpring(Spring):
         state = along_nose(ball, self.nx, self.ny)
         self.depth = d = self.depth + state[1] * dt
         if d <= 0.0:
-            self.deepest = 0.0
-            return False
+            return self._let_go()
         self.met = self.met or d > TOUCH
         force = self._force(d)
         if state[1] < 0.0 and force < _SPENT * self.stiffness * self.deepest:
-            self.depth = self.deepest = 0.0
-            return False
+            self.depth = 0.0
+            return self._let_go()
         # The nose stands above the centre: what it gives in plan is less than what it presses with.
         step = force * dt / self.nose.cos
         dvx, dvy, dqx, dqy, dqz = rate(state, self.nose, self.share * step)
         self.change = step * dvx, step * dvy, step * dqx, step * dqy, step * dqz
+        self.turned += step * dqz
+        self.push += step
+        return True
+
+    def _let_go(self) -> bool:
+        """Open again; whether the rubber gives the ball something yet, as `press` has it."""
+        self.deepest = 0.0
+        turned, push = self.turned, self.push
+        self.turned = self.push = 0.0
+        if push == 0.0 or self.nose.tangential == 0.0:
+            return False
+        self.change = sprung_back(_NOTHING, turned, push, self.nose)
         return True
 
     def _force(self, depth: float) -> float:

@@ -17,15 +17,17 @@ def miscue_limit(tip_friction: float) -> float:
     return tip_friction / math.hypot(1.0, tip_friction)
 
 
-def squirt(side: float, ball_mass: float, end_mass: float) -> float:
-    """The angle by which a ball leaves turned away from the english, radians (Alciatore TP A.31).
+def squirt(side: float, height: float, ball_mass: float, end_mass: float) -> float:
+    """The angle by which a ball leaves turned away from the english, radians.
 
-    Positive to the left, for a tip to the right.
+    Positive to the left, for a tip to the right. (Alciatore TP A.31, where the tip is at the height of the centre;
+    the same impulses on a rigid sphere for a tip above or below it, which then stands less deep behind the centre.)
     """
     if end_mass == 0.0:
         return 0.0
-    depth = 1.0 - side * side
-    return math.atan(2.5 * side * math.sqrt(depth) / (1.0 + ball_mass / end_mass + 2.5 * depth))
+    square = 1.0 - side * side
+    depth = math.sqrt(max(0.0, square - height * height))
+    return math.atan(2.5 * side * depth / (1.0 + ball_mass / end_mass + 2.5 * square))
 
 
 def hop(shot: Shot, mass: float, physics: Physics) -> tuple[float, float, float, float]:
@@ -81,7 +83,7 @@ def strike(ball: Body, shot: Shot, cue: Cue) -> bool:
     speed, turn = impulse / ball.mass, 2.5 * impulse / (ball.mass * ball.radius)
     vx, vy = speed * ahead, -speed * right
     wx, wy, wz = turn * (m_along * cos + m_up * sin), -turn * m_right, turn * (m_up * cos - m_along * sin)
-    aim = math.radians(shot.angle) + squirt(a, ball.mass, cue.end_mass)
+    aim = math.radians(shot.angle) + squirt(a, b, ball.mass, cue.end_mass)
     ca, sa = math.cos(aim), math.sin(aim)
     ball.vx, ball.vy = vx * ca - vy * sa, vx * sa + vy * ca
     ball.wx, ball.wy, ball.wz = wx * ca - wy * sa, wx * sa + wy * ca, wz

@@ -15,8 +15,8 @@ from pool2d.table.table_knobs import Knobs
 POCKET = ("mouth", "angle", "shelf", "jaw_radius", "drop_radius")
 CONTRACT = {
     "cloth": ("mu_slide", "mu_roll", "mu_spin"),
-    "ball": ("radius", "mass", "restitution", "friction", "law"),
-    "cushion": ("restitution", "friction", "nose_height", "law"),
+    "ball": ("radius", "mass", "restitution", "friction", "friction_a", "friction_b", "friction_c", "law"),
+    "cushion": ("restitution", "tangential", "friction", "nose_height", "law"),
     "facing": ("restitution", "friction"),
     "cue": ("mass", "end_mass", "tip_restitution", "tip_friction"),
     "table": ("length", "width"),

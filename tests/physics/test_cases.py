@@ -195,6 +195,16 @@ def test_squirt(case: dict[str, Any]) -> None:
                 assert hand * math.degrees(math.atan2(ball.vy, ball.vx)) == near(case, angle)
 
 
+@pytest.mark.parametrize(("side", "height"), [(0.3, 0.4), (0.3, -0.4), (0.5, 0.0), (0.2, 0.8)])
+def test_squirt_by_the_depth_at_which_the_tip_meets_the_ball(side: float, height: float) -> None:
+    """The angle of a rigid sphere, whose impulse has a part aside: at a 0.3, b 0.4 it is 1.59 degrees, not 1.75."""
+    expected = 2.5 * side * math.sqrt(1.0 - side**2 - height**2) / (1.0 + 20.0 + 2.5 * (1.0 - side**2))
+    ball = strike(
+        open_table(ball__mass=0.17, cue__end_mass=0.17 / 20.0, cue__tip_friction=10.0), Shot(0.0, 2.0, side, height)
+    )
+    assert ball.vy / ball.vx == pytest.approx(expected)
+
+
 @cases("D12")
 def test_hop(case: dict[str, Any]) -> None:
     given, expected = case["inputs"], case["expected"]

@@ -6,9 +6,9 @@ from .law import BallLaw, Friction
 from .pair import collide
 
 
-def falling(coefficient: float, cling: float) -> Friction:
-    """mu(s) through Marlow's measurements, s in m/s, whatever the preset's coefficient. (Alciatore TP A.14, p. 4.)"""
-    return Friction(9.951e-3, 0.108, 1.088, cling)
+def fading(level: Friction, falling: Friction) -> Friction:
+    """mu(s) = a + b exp(-c s), whose knobs' defaults go through Marlow's measurements. (Alciatore TP A.14, p. 4.)"""
+    return falling
 
 
-LAW = BallLaw("alciatore", collide, falling)
+LAW = BallLaw("alciatore", collide, fading)

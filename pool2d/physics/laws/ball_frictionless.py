@@ -6,7 +6,7 @@ from .law import BallLaw, Friction
 from .pair import collide
 
 
-def none(coefficient: float, cling: float) -> Friction:
+def none(level: Friction, falling: Friction) -> Friction:
     """No friction at any slip."""
     return Friction(0.0)
 

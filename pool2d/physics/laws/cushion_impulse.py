@@ -17,11 +17,12 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers) -> None:
     if approach <= 0.0:
         return
     push = ball.mass * (approach + rebound(approach, numbers.restitution))
-    kick(ball, nx, ny, push, 0.0, 1.0, numbers.friction)
+    kick(ball, nx, ny, push, level(ball.radius, numbers))
 
 
 def level(radius: float, numbers: CushionNumbers) -> Nose:
-    return Nose(0.0, 1.0, numbers.friction, 0.0, numbers.restitution)
+    """A level wall, which does not spring back along itself."""
+    return Nose(0.0, 1.0, numbers.friction, 0.0, numbers.restitution, 0.0)
 
 
 LAW = CushionLaw("impulse", collide, level)

@@ -9,7 +9,7 @@ from ..body import Body
 from ..energy import take_back
 from ..roots import INF
 from .law import CushionLaw, CushionNumbers, Nose
-from .nose import State, along_nose, give, rate, seen
+from .nose import State, along_nose, give, rate, seen, sprung_back
 from .rebound import rebound
 
 # Steps of the integration, for each of compression and restitution. Against 2,000
@@ -26,7 +26,7 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers, steps: in
 
     The state is integrated over the cushion's normal impulse: first until the ball has stopped going
     in, then until the cushion has given back e^2 of the work it took. (Mathavan, Jackson and Parkin,
-    Proc. IMechE C 224:1863-1873, 2010, eqs. 12-17.)
+    Proc. IMechE C 224:1863-1873, 2010, eqs. 12-17.) Then the rubber springs back along the rail.
     """
     approach = ball.vx * nx + ball.vy * ny
     if approach <= 0.0:
@@ -36,13 +36,14 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers, steps: in
     cos = nose.cos
     state = along_nose(ball, nx, ny)
     step = approach / (cos * steps)
-    work = 0.0
+    turned, work, push = -state[4], 0.0, 0.0
     for _ in range(_ENOUGH * steps):
         change = rate(state, nose, step)
         last = state[1] + step * change[1] <= 0.0
         part = -state[1] / change[1] if last else step
         after = _moved(state, change, part)
         work += 0.5 * (state[1] + after[1]) * cos * part
+        push += part
         state = after
         if last:
             break
@@ -57,9 +58,12 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers, steps: in
         last = whole <= step
         part = whole if last else step
         work -= (out + 0.5 * gain * part) * cos * part
+        push += part
         state = _moved(state, change, part)
         if last:
             break
+    if nose.tangential > 0.0:
+        state = sprung_back(state, turned + state[4], push, nose)
     before = ball.energy()
     give(ball, nx, ny, state[0], state[1], state[2], state[3], state[4])
     take_back([ball], before, True)
@@ -68,7 +72,7 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers, steps: in
 def pressing(radius: float, numbers: CushionNumbers) -> Nose:
     """The nose presses the ball on the cloth, whose friction counts."""
     sin, cos = seen(radius, numbers)
-    return Nose(sin, cos, numbers.friction, numbers.cloth, numbers.restitution)
+    return Nose(sin, cos, numbers.friction, numbers.cloth, numbers.restitution, numbers.tangential)
 
 
 def _moved(state: State, change: State, step: float) -> State:

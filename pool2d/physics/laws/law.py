@@ -40,12 +40,19 @@ class BallNumbers:
 
 @final
 class CushionNumbers:
-    """What laws for cushions read: restitution, friction, the nose's height, m, and the cloth's sliding friction."""
+    """What laws for cushions read.
 
-    __slots__ = ("restitution", "friction", "nose_height", "cloth")
+    Restitution across the cushion and, `tangential`, along it; friction; the nose's height, m; and the cloth's
+    sliding friction.
+    """
 
-    def __init__(self, restitution: float, friction: float, nose_height: float, cloth: float) -> None:
+    __slots__ = ("restitution", "tangential", "friction", "nose_height", "cloth")
+
+    def __init__(
+        self, restitution: float, tangential: float, friction: float, nose_height: float, cloth: float
+    ) -> None:
         self.restitution = restitution
+        self.tangential = tangential
         self.friction = friction
         self.nose_height = nose_height
         self.cloth = cloth
@@ -53,29 +60,33 @@ class CushionNumbers:
 
 @final
 class Nose:
-    """What a ball feels at a nose: th, the friction of the rubber and that of the cloth under the ball, and e."""
+    """What a ball feels at a nose: th, the friction of the rubber and that of the cloth under the ball, e and e_t."""
 
-    __slots__ = ("sin", "cos", "rubber", "cloth", "restitution")
+    __slots__ = ("sin", "cos", "rubber", "cloth", "restitution", "tangential")
 
-    def __init__(self, sin: float, cos: float, rubber: float, cloth: float, restitution: float) -> None:
+    def __init__(
+        self, sin: float, cos: float, rubber: float, cloth: float, restitution: float, tangential: float
+    ) -> None:
         self.sin = sin
         self.cos = cos
         self.rubber = rubber
         self.cloth = cloth
         self.restitution = restitution
+        self.tangential = tangential
 
 
 @dataclass(frozen=True, slots=True)
 class BallLaw:
     """How two balls exchange impulse.
 
-    `collide(a, b, numbers)` changes two balls that touch; `friction(coefficient, cling)` is the friction of their
-    surfaces, from the preset's coefficient and what multiplies it, which the contact has within a cluster too.
+    `collide(a, b, numbers)` changes two balls that touch; `friction(level, falling)` is the friction of their
+    surfaces, which the contact has within a cluster too: of the two that a preset gives, the one that is the same
+    at any slip and the one that falls as the slip grows, that which the law reads.
     """
 
     name: str
     collide: Callable[[Body, Body, BallNumbers], None]
-    friction: Callable[[float, float], Friction]
+    friction: Callable[[Friction, Friction], Friction]
 
     def __post_init__(self) -> None:
         _whole(self)

@@ -23,8 +23,9 @@ def seen(radius: float, numbers: CushionNumbers) -> tuple[float, float]:
     return sin, math.sqrt(1.0 - sin * sin)
 
 
-def kick(ball: Body, nx: float, ny: float, push: float, sin: float, cos: float, friction: float) -> None:
-    """Apply a normal impulse at the nose and the friction it allows, at most what stops the slip."""
+def kick(ball: Body, nx: float, ny: float, push: float, nose: Nose) -> None:
+    """Apply a normal impulse at the nose and the friction it allows: what stops the slip, and the springing back."""
+    sin, cos, friction = nose.sin, nose.cos, nose.rubber
     vx, vy = ball.vx * ny - ball.vy * nx, ball.vx * nx + ball.vy * ny
     radius = ball.radius
     qx, qy, qz = radius * (ball.wx * ny - ball.wy * nx), radius * (ball.wx * nx + ball.wy * ny), radius * ball.wz
@@ -32,9 +33,33 @@ def kick(ball: Body, nx: float, ny: float, push: float, sin: float, cos: float, 
     slip = math.hypot(sx, sy)
     rub = 0.0 if slip == 0.0 else -min(friction * push, 2.0 / 7.0 * ball.mass * slip) / (slip * ball.mass)
     fx, fy = rub * sx, rub * sy
+    if nose.tangential > 0.0:
+        fx += springing_back(fx, push / ball.mass, nose)
     vx += fx
     vy -= push / ball.mass * cos + fy * sin
     give(ball, nx, ny, vx, vy, qx + 2.5 * fy, qy + 2.5 * fx * sin, qz - 2.5 * fx * cos)
+
+
+def springing_back(along: float, push: float, nose: Nose) -> float:
+    """What rubber that friction has sheared along the rail gives back as it lets the ball go, an impulse per mass.
+
+    `along` is the friction's impulse along the rail, per mass, `push` the normal one. The rubber gives back e_t of
+    the former, so that a slip which friction has stopped turns about to e_t of what it was (Cross, "Grip-slip
+    behavior of a bouncing ball", Am. J. Phys. 70:1093, 2002; Stronge, "Impact Mechanics", 2000, for the compliance
+    that it comes of), as far as Coulomb's limit allows both together (Walton 1993). The limit is that along the
+    rail alone: a ball that also slips up across the nose uses all friction, and would get nothing back, but on
+    tracked shots it is reverse english, which does, that comes back most.
+    """
+    room = nose.rubber * push - abs(along)
+    return math.copysign(min(nose.tangential * abs(along), max(0.0, room)), along)
+
+
+def sprung_back(state: State, turned: float, push: float, nose: Nose) -> State:
+    """A state after that, where the nose has changed R wZ by `turned`, which only its friction along the rail does."""
+    vx, vy, qx, qy, qz = state
+    sin, cos = nose.sin, nose.cos
+    fx = springing_back(turned / (-2.5 * cos), push, nose)
+    return vx + fx, vy, qx, qy + 2.5 * fx * sin, qz - 2.5 * fx * cos
 
 
 def give(ball: Body, nx: float, ny: float, vx: float, vy: float, qx: float, qy: float, qz: float) -> None:

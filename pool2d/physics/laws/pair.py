@@ -75,6 +75,6 @@ def collide(a: Body, b: Body, numbers: BallNumbers) -> None:
     push(a, b, n, along, rub * sx, rub * sy, rub * sz)
 
 
-def constant(coefficient: float, cling: float) -> Friction:
-    """The coefficient of friction that the preset gives, at any slip."""
-    return Friction(coefficient, scale=cling)
+def constant(level: Friction, falling: Friction) -> Friction:
+    """The coefficient of friction that the preset gives for any slip."""
+    return level

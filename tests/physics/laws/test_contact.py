@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import assume, example, given
@@ -241,15 +242,17 @@ def test_ball_laws_lose_energy_and_know_no_left_or_right(
 
 
 @pytest.mark.parametrize("law", CUSHION_LAWS)
-@given(motion=MOTION, e=PART, mu=FRICTION, turn=st.floats(0.0, 6.3))
+@given(motion=MOTION, e=PART, along=PART, mu=FRICTION, turn=st.floats(0.0, 6.3))
 def test_cushion_laws_lose_energy_and_know_no_left_or_right(
-    law: str, motion: Motion, e: float, mu: float, turn: float
+    law: str, motion: Motion, e: float, along: float, mu: float, turn: float
 ) -> None:
     a, b, c = ball(motion), ball(mirrored(motion)), ball(turned(motion, turn))
     energy, approach = a.energy(), a.vx
-    collide_cushion(law, a, 1.0, 0.0, physics(e, mu))
-    collide_cushion(law, b, 1.0, 0.0, physics(e, mu))
-    collide_cushion(law, c, math.cos(turn), math.sin(turn), physics(e, mu))
+    knobs = physics(e, mu)
+    knobs = replace(knobs, cushion=replace(knobs.cushion, tangential=along))
+    collide_cushion(law, a, 1.0, 0.0, knobs)
+    collide_cushion(law, b, 1.0, 0.0, knobs)
+    collide_cushion(law, c, math.cos(turn), math.sin(turn), knobs)
     assert a.energy() <= energy * (1.0 + 1e-9) + 1e-15
     assert mirrored(state(b)) == pytest.approx(state(a), abs=1e-9)
     assert turned(state(c), -turn) == pytest.approx(state(a), abs=1e-6)

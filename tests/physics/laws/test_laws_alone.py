@@ -127,7 +127,7 @@ def test_every_law_is_found_by_its_file() -> None:
 
 def test_steps_add_nothing_to_a_gentle_elastic_rebound() -> None:
     """Once this one, at a jaw, gained 1e-14 J of 7e-8."""
-    numbers = CushionNumbers(0.4052611097399126, 0.3184086903752853, 0.03276996194417735, 0.4553129369500048)
+    numbers = CushionNumbers(0.4052611097399126, 0.0, 0.3184086903752853, 0.03276996194417735, 0.4553129369500048)
     spins = (0.06042969971114378, -0.04321321743968966, 0.006152979195535952)
     ball = Body(Ball("1", 0.0, 0.0, -0.0011177623707158803, -0.0021093124804899346, *spins), 0, 0.06, 0.01)
     before = ball.energy()

@@ -7,8 +7,8 @@ import math
 import pytest
 
 from pool2d import Table
-from pool2d.physics.laws.ball_alciatore import falling
 from pool2d.physics.laws.registry import BALL_LAWS
+from pool2d.physics.materials import materials
 from pool2d.physics.params import BallKnobs, Physics
 
 from ...casebook import CONTACTS, Case, near
@@ -59,8 +59,18 @@ def test_gearing_english_throws_nothing(case: Case) -> None:
 
 @cases("B17")
 def test_friction_falls_with_slip(case: Case) -> None:
+    friction = materials(open_table().knobs).ball.friction
     for key, value in case["expected"].items():
-        assert falling(0.06, 1.0).at(float(key[3:-1])) == near(case, value)
+        assert friction.at(float(key[3:-1])) == near(case, value)
+
+
+def test_how_friction_falls_can_be_set() -> None:
+    knobs = open_table(ball__friction_a=0.05, ball__friction_b=0.2, ball__friction_c=0.5, ball__cling=2.0).knobs
+    friction = materials(knobs).ball.friction
+    for slip in (0.0, 0.4, 3.0):
+        assert friction.at(slip) == pytest.approx(2.0 * (0.05 + 0.2 * math.exp(-0.5 * slip)))
+    level = materials(open_table(ball__law="impulse", ball__friction=0.07, ball__cling=2.0).knobs).ball.friction
+    assert level.at(0.0) == level.at(3.0) == pytest.approx(0.14)
 
 
 @cases("B24")
