@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from pool2d import InputError
-from pool2d.config.reader import parse_json, read_bytes, read_json, read_toml
+from pool2d.config.reader import check_sound, parse_json, read_bytes, read_json, read_toml
 from pool2d.printable import printable
 
 
@@ -61,6 +61,32 @@ def test_toml_that_is_not_sound(tmp_path: Path, content: bytes, words: str) -> N
 )
 def test_json_that_is_not_sound(tmp_path: Path, content: bytes, words: str) -> None:
     assert complaint(tmp_path / "a.json", content).startswith(words)
+
+
+@pytest.mark.parametrize(
+    ("name", "enough", "more", "words"),
+    [
+        ("a.toml", b"#" * (1 << 18), b"#", "too large; allowed are 256 KiB"),
+        ("a.json", b" " * ((1 << 20) - 2) + b"{}", b" ", "too large; allowed are 1 MiB"),
+        # A value in 19 lists lies in the table too.
+        ("a.toml", b"a = " + b"[" * 20 + b"]" * 20, b"\nb = " + b"[" * 21 + b"]" * 21, "nested too deep"),
+        ("a.toml", b"a = 9223372036854775807", b"\nb = 9223372036854775808", "b = 9223372036854775808"),
+    ],
+)
+def test_as_much_as_is_allowed_is_read_and_no_more(
+    tmp_path: Path, name: str, enough: bytes, more: bytes, words: str
+) -> None:
+    path = tmp_path / name
+    path.write_bytes(enough)
+    (read_toml if path.suffix == ".toml" else read_json)(path)
+    assert complaint(path, enough + more).startswith(words)
+
+
+def test_a_hundred_thousand_values_are_read_and_one_more_is_not() -> None:
+    # A list of n values has n + 1 with itself, and the file's own.
+    check_sound([0] * 100_000, "a.json")
+    with pytest.raises(InputError, match="too many values; allowed are 100000"):
+        check_sound([0] * 100_001, "a.json")
 
 
 def test_what_is_sound_comes_back_as_it_is(tmp_path: Path) -> None:

@@ -28,6 +28,19 @@ def test_every_setting_describes_itself() -> None:
         assert described.check(value, "", name) == described.default
 
 
+def test_what_holds_until_something_is_set() -> None:
+    settings = Settings()
+    assert settings.match.race == 1 and not settings.match.game and not settings.match.table
+    # A coin says who breaks.
+    assert settings.match.breaker == -1
+    assert settings.players.names == ("", "")
+    # The screen says how large the window is, the system what it speaks.
+    assert (settings.screen.width, settings.screen.height, settings.screen.full) == (0, 0, False)
+    assert (settings.screen.language, settings.screen.reduced_motion) == ("auto", False)
+    assert (settings.balls.palette, settings.balls.patterned, settings.balls.trails) == ("standard", False, True)
+    assert settings.sound.volume > 0.5 and not settings.sound.mute
+
+
 def test_what_is_turned_is_there_the_next_time(path: Path) -> None:
     store = Store(path)
     store.turn("sound.volume", 0.25)
@@ -153,6 +166,7 @@ def test_listeners_hear_each_change_once() -> None:
         ("linux", {"HOME": "/h"}, "/h/.config/pool2d"),
         ("darwin", {"HOME": "/h"}, "/h/Library/Application Support/pool2d"),
         ("win32", {"APPDATA": "/a"}, "/a/pool2d"),
+        ("win32", {"HOME": "/h", "USERPROFILE": "/h"}, "/h/AppData/Roaming/pool2d"),
         ("win32", {"APPDATA": "/a", "POOL2D_CONFIG": "/mine"}, "/mine"),
     ],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,28 @@ from pool2d.draw.view import View, fit
 from ..test_layers import MODULES, imports
 
 SIZE = (160, 90)
+
+
+@pytest.mark.parametrize(
+    ("platform", "variables", "expected"),
+    [
+        ("linux", {"XDG_CACHE_HOME": "/c"}, "/c/pool2d"),
+        ("linux", {}, "/h/.cache/pool2d"),
+        ("darwin", {"XDG_CACHE_HOME": "/c"}, "/h/Library/Caches/pool2d"),
+        ("win32", {"LOCALAPPDATA": "/l"}, "/l/pool2d/Cache"),
+        ("win32", {}, "/h/AppData/Local/pool2d/Cache"),
+        ("win32", {"LOCALAPPDATA": "/l", "POOL2D_CACHE": "/mine"}, "/mine"),
+    ],
+)
+def test_the_platforms_place(
+    monkeypatch: pytest.MonkeyPatch, platform: str, variables: dict[str, str], expected: str
+) -> None:
+    for name in ("XDG_CACHE_HOME", "LOCALAPPDATA", "POOL2D_CACHE"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in {"HOME": "/h", "USERPROFILE": "/h", **variables}.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr(sys, "platform", platform)
+    assert cache.folder() == Path(expected)
 
 
 @pytest.fixture

@@ -73,6 +73,18 @@ def test_the_higher_the_butt_the_further_its_shadow_and_the_shorter_the_cue() ->
     assert end(0.0) + 20 < end(30.0)
 
 
+def test_the_higher_the_butt_the_softer_its_shadow() -> None:
+    def edge(elevation: float) -> int:
+        """How many pixels the shadow's far edge takes, from nearly the cloth to two thirds of it."""
+        picture = drawn(Aim(angle=0.0, elevation=elevation), view=View(1200.0, 1700.0, 200.0))
+        column = [picture.get_at((600, y))[1] for y in range(799, 200, -1)]
+        near, far = (next(i for i, shade in enumerate(column) if shade < part * GROUND[1]) for part in (0.96, 0.67))
+        return far - near
+
+    soft = [edge(elevation) for elevation in (0.0, 8.0, 16.0)]
+    assert soft[0] + 2 < soft[1] and soft[1] + 2 < soft[2]
+
+
 @pytest.mark.parametrize("angle", range(0, 360, 24))
 def test_at_the_edge_only_what_is_in_the_window_is_drawn(angle: int) -> None:
     whole = drawn(Aim(angle=float(angle)))

@@ -123,6 +123,7 @@ def recorded(tmp_path: Path) -> Path:
         recorder.play(Stroke(Shot(180.0, 0.3)))
         recorder.undo()
         recorder.play(Stroke(Shot(180.0, 0.2)))
+        recorder.play(Stroke(Shot(180.0, 0.1)))
     return path
 
 
@@ -144,21 +145,21 @@ def test_a_shot_becomes_pictures(recorded: Path, tmp_path: Path, capsys: pytest.
     folder = tmp_path / "shots"
     assert main(["replay", str(recorded), "--png", str(folder), "--size", "160x90"]) == 0
     names = sorted(path.name for path in folder.iterdir())
-    assert names[0] == "shot-002-0001.png"
-    assert f"{len(names)} pictures of shot 2" in capsys.readouterr().out
+    assert names[0] == "shot-003-0001.png"
+    assert f"{len(names)} pictures of shot 3" in capsys.readouterr().out
     assert pygame.image.load(folder / names[-1]).get_size() == (160, 90)
     # A picture every 25th of a second, the last no earlier than the balls' rest.
     shot = list(strokes(load(recorded)))[-1]
     assert shot.rollout.duration <= (len(names) - 1) / 25 < shot.rollout.duration + 1 / 25
     (fourth,) = frames(shot.match.table, shot.rollout, (160, 90), [3 / 25])
-    written = pygame.image.load(folder / "shot-002-0004.png")
+    written = pygame.image.load(folder / "shot-003-0004.png")
     assert pygame.image.tobytes(written, "RGB") == pygame.image.tobytes(fourth, "RGB")
 
 
 def test_a_record_is_listed(recorded: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["replay", str(recorded), "--list"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 2
+    assert len(lines) == 3
     assert "The cue ball hit no ball." in lines[0]
 
 
@@ -166,7 +167,7 @@ def test_a_record_is_listed(recorded: Path, capsys: pytest.CaptureFixture[str]) 
     ("words", "line"),
     [
         (["--gif", "a.png"], "a.png: a moving picture's name ends in .gif"),
-        (["--gif", "a.gif", "--shot", "3"], "--shot = 3: allowed is 1 to 2"),
+        (["--gif", "a.gif", "--shot", "4"], "--shot = 4: allowed is 1 to 3"),
         (["--gif", "a.gif", "--shot", "x"], "--shot = 'x': allowed is a number"),
         (["--gif", "a.gif", "--size", "x"], "--size = 'x'"),
         (["--gif", "/dev/null/a.gif"], "/dev/null/a.gif: cannot be written"),

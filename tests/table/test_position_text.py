@@ -102,7 +102,7 @@ def test_it_is_short_and_plain() -> None:
         ("@1,1", "a name is missing"),
         ("%ff@1,1", "a name is missing or cannot be read"),
         ("%0a@1,1", "a name is missing or cannot be read"),
-        ("x" * 300_000, "longer than 200000 characters"),
+        ("pool-9ft".ljust(200_001), "longer than 200000 characters"),
     ],
 )
 def test_what_is_wrong_is_told(text: str, words: str) -> None:
@@ -111,6 +111,10 @@ def test_what_is_wrong_is_told(text: str, words: str) -> None:
     assert str(caught.value).startswith("clipboard: ")
     assert words in str(caught.value)
     assert str(caught.value).isprintable()
+
+
+def test_as_long_as_is_allowed_it_is_read() -> None:
+    assert read("pool-9ft".ljust(200_000)).table == "pool-9ft"
 
 
 @given(st.text() | st.text(alphabet="cue1@:=,.!+-%0 reinfa"))
