@@ -11,7 +11,7 @@ import pytest
 
 from pool2d import Ball, Layout, load_table, simulate
 from pool2d.draw import theme
-from pool2d.draw.balls import ball_art, ball_marks
+from pool2d.draw.balls import ball_art, ball_marks, tray
 from pool2d.draw.theme import PALETTES, Palette, Style
 from pool2d.game.falling import DROP
 from pool2d.physics.orientation import FACING, Quaternion, turn
@@ -238,6 +238,26 @@ def test_a_ball_falls_in_sight_and_lies_in_the_tray(hand: Hand) -> None:
     assert in_tray()
     hand.key(pygame.K_u)
     assert not in_tray()
+
+
+def test_the_trough_of_the_tray_has_ends_of_half_a_circle_and_none_without_balls() -> None:
+    ground = (255, 0, 255)
+    picture = pygame.Surface((400, 200))
+    picture.fill(ground)
+    room = pygame.Rect(50, 60, 300, 80)
+    tray.draw(picture, room, [], theme.PLAIN)
+    assert pygame.mask.from_threshold(picture, ground, (1, 1, 1)).count() == 400 * 200
+    tray.draw(picture, room, [Look("#ffd000")] * 3, theme.PLAIN)
+    free = pygame.mask.from_threshold(picture, ground, (1, 1, 1))
+    free.invert()
+    (trough,) = free.get_bounding_rects()
+    assert trough.center == pytest.approx(room.center, abs=1)
+    half = trough.height / 2.0
+    for x in range(trough.left, trough.left + round(half)):
+        for y in range(trough.top, trough.bottom):
+            off = math.hypot(x + 0.5 - trough.left - half, y + 0.5 - trough.centery) - half
+            if abs(off) > 1.5:
+                assert free.get_at((x, y)) == (off < 0.0)
 
 
 def test_the_last_ball_is_seen_to_its_end(hand: Hand) -> None:

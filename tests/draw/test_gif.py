@@ -14,7 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from benchmarks.random_play import new_match
+from pool2d import InputError
 from pool2d.cli import main
+from pool2d.commands.replay import shot_of
 from pool2d.draw.export.animation import frames
 from pool2d.draw.export.gif import encode, lzw, median_cut
 from pool2d.game.actions import Stroke
@@ -154,6 +156,16 @@ def test_a_shot_becomes_pictures(recorded: Path, tmp_path: Path, capsys: pytest.
     (fourth,) = frames(shot.match.table, shot.rollout, (160, 90), [3 / 25])
     written = pygame.image.load(folder / "shot-003-0004.png")
     assert pygame.image.tobytes(written, "RGB") == pygame.image.tobytes(fourth, "RGB")
+
+
+def test_a_stroke_is_found_by_its_number_and_without_one_it_is_the_last(recorded: Path) -> None:
+    whole = load(recorded)
+    digests = [stroke.rollout.digest() for stroke in strokes(whole)]
+    assert len(set(digests)) == 3
+    assert [shot_of(whole, number).rollout.digest() for number in (1, 2, 3, None)] == [*digests, digests[-1]]
+    for number in (-1, 0, 4):
+        with pytest.raises(InputError, match=f"--shot = {number}: allowed is 1 to 3"):
+            shot_of(whole, number)
 
 
 def test_a_record_is_listed(recorded: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from pool2d import Ball, load_table
 from pool2d.physics.body import Body
-from pool2d.physics.standing import inside, stand_apart
+from pool2d.physics.standing import Limits, in_range, inside, stand_apart
 
 TABLE = load_table("pool-9ft")
 RADIUS, SLACK = TABLE.knobs.ball.radius, 1e-10
@@ -22,6 +22,35 @@ def stands(*places: tuple[float, float], radius: float = RADIUS) -> bool:
         for i, (x, y, size) in enumerate((x, y, RADIUS if i else radius) for i, (x, y) in enumerate(places))
     ]
     return stand_apart(bodies, list(TABLE.elements), TABLE.surface, SLACK)
+
+
+LIMITS = Limits(
+    place=100.0, speed=50.0, spin=1000.0, least_radius=0.01, most_radius=0.06, least_mass=0.02, most_mass=2.0
+)
+WITHIN = {
+    "x": (-100.0, 100.0), "y": (-100.0, 100.0), "vx": (-50.0, 50.0), "vy": (-50.0, 50.0),
+    "wx": (-1000.0, 1000.0), "wy": (-1000.0, 1000.0), "wz": (-1000.0, 1000.0),
+    "radius": (0.01, 0.06), "mass": (0.02, 2.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", WITHIN)
+def test_every_number_may_go_to_its_limit_and_no_further(name: str) -> None:
+    def fits(value: float, reach: float = 0.01) -> bool:
+        state = {"x": 1.0, "y": 0.5, "radius": 0.03, "mass": 0.17, name: value}
+        good, ball = (
+            Ball("2", 0.3, 0.3),
+            Ball("1", **{key: state[key] for key in state if key not in ("radius", "mass")}),
+        )
+        bodies = [Body(good, 0, 0.03, 0.17, 0.03), Body(ball, 1, state["radius"], state["mass"], reach)]
+        return in_range(bodies, LIMITS) and in_range(bodies[::-1], LIMITS)
+
+    least, most = WITHIN[name]
+    assert fits(least) and fits(most)
+    assert not fits(math.nextafter(least, -math.inf)) and not fits(math.nextafter(most, math.inf))
+    assert not fits(math.nan)
+    # A ball that is lower than the cushion's nose has no reach.
+    assert not fits(most, 0.0)
 
 
 @pytest.mark.parametrize("gap", [0.01, 1e-9, 0.0, -0.9e-10, -1.1e-10, -1e-6])

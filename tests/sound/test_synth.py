@@ -63,6 +63,23 @@ def test_a_click_is_over_in_some_milliseconds() -> None:
             assert np.searchsorted(energy, 0.9 * energy[-1]) < 0.01 * RATE
 
 
+# As with the golden pictures: the middle of the spectrum at the greatest speed, Hz, and how long nine tenths of the
+# energy take, ms, as they are with the sounds that the game was given.
+HEARD = {
+    "ball": (2990, 5.0), "cue": (970, 14.0), "cushion": (174, 39.0), "drop": (268, 114.0), "back": (374, 1710.0),
+    "miscue": (2340, 26.0), "chalk": (4600, 363.0), "click": (1833, 4.6),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_sound_keeps_its_pitch_and_length(kind: str) -> None:
+    last = made()[kind][max(made()[kind])]
+    energies = [np.cumsum(wave**2) for wave in last]
+    lengths = [np.searchsorted(energy, 0.9 * energy[-1]) / RATE * 1e3 for energy in energies]
+    heard = float(np.mean([centroid(wave) for wave in last])), float(np.mean(lengths))
+    assert heard == pytest.approx(HEARD[kind], rel=0.1)
+
+
 def test_no_two_variants_are_alike() -> None:
     for kind in KINDS:
         for each in made()[kind].values():
