@@ -38,10 +38,8 @@ WITHIN = {
 def test_every_number_may_go_to_its_limit_and_no_further(name: str) -> None:
     def fits(value: float, reach: float = 0.01) -> bool:
         state = {"x": 1.0, "y": 0.5, "radius": 0.03, "mass": 0.17, name: value}
-        good, ball = (
-            Ball("2", 0.3, 0.3),
-            Ball("1", **{key: state[key] for key in state if key not in ("radius", "mass")}),
-        )
+        own = {key: number for key, number in state.items() if key not in ("radius", "mass")}
+        good, ball = Ball("2", 0.3, 0.3), Ball("1", **own)  # type: ignore[arg-type]
         bodies = [Body(good, 0, 0.03, 0.17, 0.03), Body(ball, 1, state["radius"], state["mass"], reach)]
         return in_range(bodies, LIMITS) and in_range(bodies[::-1], LIMITS)
 
