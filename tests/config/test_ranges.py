@@ -27,6 +27,7 @@ ALLOWED: dict[str, tuple[float, float]] = {
     "ball.radius": (0.01, 0.06), "ball.mass": (0.01, 2), "ball.restitution": (0, 1), "ball.friction": (0, 1),
     "ball.cling": (0, 5),
     "cushion.restitution": (0, 1), "cushion.friction": (0, 1), "cushion.nose_height": (0.01, 0.1),
+    "facing.restitution": (0, 1), "facing.friction": (0, 5),
     "cue.mass": (0.1, 2), "cue.end_mass": (0, 0.1), "cue.tip_restitution": (0, 1), "cue.tip_friction": (0.05, 10),
     "table.length": (0.5, 30), "table.width": (0.3, 20), "table.nose_radius": (0, 0.5),
     "corner.mouth": (0.04, 0.3), "corner.angle": (95, 170), "corner.shelf": (0, 0.1), "corner.jaw_radius": (0, 0.2),
