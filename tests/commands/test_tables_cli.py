@@ -70,7 +70,8 @@ def test_a_preset_is_shown_with_where_its_values_come_from(capsys: pytest.Captur
     for name, value, origin in (
         ("table.length", "1.9812 m", "pool-7ft"),
         ("ball.radius", "0.028575 m", "base pool-9ft"),
-        ("cloth.mu_slide", "0.2", "default"),
+        ("cloth.mu_slide", "0.2", "base pool-9ft"),
+        ("cloth.bounce", "0.5", "default"),
         ("cloth.mu_roll", "0.0044", "conditions heated"),
         ("cue.mass", "0.5 kg", "set"),
     ):
