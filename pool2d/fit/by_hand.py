@@ -76,12 +76,12 @@ class HandFits:
     @property
     def values(self) -> dict[str, float]:
         """The knobs by name, to no more digits than their errors leave a meaning."""
-        return {each.knob: told(each.now, each.error) for each in self.knobs}
+        return {each.knob: round(each.now, places(each.error)) for each in self.knobs}
 
 
-def told(value: float, error: float) -> float:
-    """A value to the second digit of its error."""
-    return round(value, 1 - math.floor(math.log10(error))) if error > 0.0 else value
+def places(error: float) -> int:
+    """How many decimals a value has a meaning to: to the second digit of its error."""
+    return max(0, 1 - math.floor(math.log10(error)))
 
 
 def fit_by_hand(table: Table, readings: Mapping[str, Reading], source: str) -> HandFits:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from pool2d import InputError, Table, load_table
-from pool2d.fit.by_hand import HandFits, fit_by_hand, told
+from pool2d.fit.by_hand import HandFits, fit_by_hand, places
 from pool2d.fit.measurements import MEASUREMENTS, QUANTITIES, bare
 from pool2d.fit.readings import Reading
 
@@ -177,9 +177,12 @@ def test_nothing_measured_is_told() -> None:
         fitted(load_table("pool-9ft"))
 
 
-@pytest.mark.parametrize(
-    ("value", "error", "said"),
-    [(0.0101234, 0.00031, 0.01012), (0.8763, 0.021, 0.876), (0.8763, 0.21, 0.88), (3.7, 0.0, 3.7)],
-)
-def test_a_value_has_the_digits_that_its_error_leaves_a_meaning(value: float, error: float, said: float) -> None:
-    assert told(value, error) == said
+@pytest.mark.parametrize(("error", "decimals"), [(0.00031, 5), (0.021, 3), (0.21, 2), (2.1, 1), (21.0, 0), (2100.0, 0)])
+def test_a_value_has_the_digits_that_its_error_leaves_a_meaning(error: float, decimals: int) -> None:
+    assert places(error) == decimals
+
+
+def test_the_values_to_set_have_no_more_digits_than_that() -> None:
+    (found,) = fitted(load_table("pool-9ft"), rebound_kept=0.5667).knobs
+    values = fitted(load_table("pool-9ft"), rebound_kept=0.5667).values
+    assert values == {"cushion.restitution": round(found.now, 3)}

@@ -16,6 +16,7 @@ from ..screen import Screen
 from ..stage.stage import Stage
 from ..stage.timeline import Timeline
 from ..wording.keys import fine_step
+from .by_hand_page import ByHandPage
 from .call_strip import CallStrip
 from .editing import Editing
 from .mouse import Mouse
@@ -44,6 +45,7 @@ class Controller:
         self.mouse = Mouse(state, stage, self.editing)
         self.positions = Positions(state, scene)
         self._panel: TuningPanel | None = None
+        self._by_hand = ByHandPage(state.words)
         # Who is asked, in this order, what an event means; the first who takes it is the last.
         self._takers: tuple[Callable[[pygame.event.Event], bool], ...] = (
             self._to_panel,
@@ -252,7 +254,8 @@ class Controller:
             return
         if self.tuning is None:
             aimed = state.hands.aim.shot(state.session.cue.id)
-            self._panel = TuningPanel(Tuning(state.session, aimed), state.words, self._ask_name, state.open_table)
+            tuning = Tuning(state.session, aimed)
+            self._panel = TuningPanel(tuning, state.words, self._by_hand, self._ask_name, state.open_table)
         else:
             self._panel = None
 

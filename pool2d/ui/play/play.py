@@ -77,6 +77,11 @@ class Play(Scene):
         return True
 
     @property
+    def takes_text(self) -> bool:
+        panel = self.controller.tuning_panel
+        return panel is not None and panel.takes_text
+
+    @property
     def table(self) -> Table:
         return self.state.session.table
 

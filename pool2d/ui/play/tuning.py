@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from ...errors import BudgetError, InputError
 from ...game.session import Session
@@ -51,7 +51,15 @@ class Tuning:
 
     def turn(self, name: str, value: float | str) -> None:
         """Set a knob of the table in play."""
-        self._change(lambda: self.session.table.with_knobs({name: value}))
+        self.turn_all({name: value})
+
+    def turn_all(self, values: Mapping[str, float | str]) -> None:
+        """Set several of its knobs at once."""
+        self._change(lambda: self.session.table.with_knobs(values))
+
+    def restore(self, table: Table) -> None:
+        """Go back to the table as it was before."""
+        self._change(lambda: table)
 
     def reset(self, *names: str) -> None:
         """Set these knobs, or all, back to the preset's values."""

@@ -12,34 +12,39 @@ from ...errors import InputError
 from ...table.preset import conditions, presets, title_of
 from ...table.table import Table
 from ..screen import Screen
+from ..widgets.field import TextField
 from ..widgets.form import Form
 from ..widgets.inputs import ListBox, Selector, Slider
 from ..widgets.widget import Button, Heading, Tabs, Widget
 from ..wording.ruling_text import preset_title, table_title
 from ..wording.words import Words
+from .by_hand_page import ByHandPage
 from .tuning import NOTHING, Tuning
 
-# The panel's pages, and the knobs on each by the beginning of their names.
-PAGES = {
+# The panel's pages, and the knobs on each by the beginning of their names; on the last they are measured.
+PAGES: dict[str, tuple[str, ...]] = {
     "cloth": ("gravity", "cloth."),
     "balls": ("ball.",),
     "cushions": ("cushion.",),
     "pockets": ("corner.", "side.", "facing."),
     "cue": ("cue.",),
     "table": ("table.",),
+    "by_hand": (),
 }
 
 
 class TuningPanel:
     """The panel by which hands tune a table: `tuning` is what they turn.
 
-    `save` asks for a name to save the table by, `go_to` goes over to another preset.
+    `save` asks for a name to save the table by, `go_to` goes over to another preset; `by_hand` is the page of
+    measurements.
     """
 
     def __init__(
-        self, tuning: Tuning, words: Words, save: Callable[[], None], go_to: Callable[[str], None]
+        self, tuning: Tuning, words: Words, by_hand: ByHandPage, save: Callable[[], None], go_to: Callable[[str], None]
     ) -> None:  # fmt: skip
         self.tuning = tuning
+        self.by_hand = by_hand
         self.words = words
         self.page = "cloth"
         self._save = save
@@ -58,7 +63,15 @@ class TuningPanel:
 
     def handle(self, event: pygame.event.Event) -> bool:
         """Take an event; whether it was meant for the panel."""
+        if event.type == pygame.MOUSEBUTTONDOWN and self.takes_text and not self.form.rect.collidepoint(event.pos):
+            # Who goes on at the table has done with typing: keys mean there what they always do.
+            self.form.focus = next(one for one in self.form.widgets if isinstance(one, Tabs))
         return self.form.handle(event)
+
+    @property
+    def takes_text(self) -> bool:
+        """Whether keys are for a text."""
+        return isinstance(self.form.focus, TextField)
 
     def update(self, dt: float) -> None:
         self.form.update(dt)
@@ -99,6 +112,7 @@ class TuningPanel:
             [Heading(self._summary)],
             [Tabs(list(PAGES), lambda: self.page, self._open, lambda page: say(f"tuning.page.{page}"))],
             *([self._widget(name, knob)] for name, knob, _ in self._knobs() if name.startswith(PAGES[self.page])),
+            *(self.by_hand.rows(self.tuning, self.fill) if self.page == "by_hand" else []),
             *self._tables(),
             *self._others(),
             [

@@ -108,7 +108,7 @@ class TextField(Widget):
 
     def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
         size = self._size = unit * 7 // 4
-        text.draw(surface, self.label, size, theme.QUIET, self.rect.topleft)
+        text.draw(surface, text.fitted(self.label, size, self.rect.width), size, theme.QUIET, self.rect.topleft)
         box = pygame.Rect(self.rect.left, self.rect.bottom - unit * 7 // 2, self.rect.width, unit * 3)
         plate(surface, box, theme.FACE, unit, theme.ACCENT if focused else tone(hovered))
         inner = box.inflate(-2 * unit, -unit // 2)

@@ -6,7 +6,9 @@ measures come from `draw.theme`.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Sequence
+from itertools import accumulate, pairwise
 
 import pygame
 
@@ -215,7 +217,7 @@ class Toggle(Widget):
 
 
 class Tabs(Widget):
-    """Names side by side, one of which is open; `shown` gives the text for a name."""
+    """Names side by side, one of which is open; `shown` gives the text for a name, which has the room it needs."""
 
     rows = 1.5
 
@@ -228,10 +230,11 @@ class Tabs(Widget):
         self.get = get
         self.put = put
         self.shown = shown
+        self._unit = 8
 
     def press(self, pos: tuple[int, int]) -> None:
-        index = (pos[0] - self.rect.left) * len(self.names) // max(1, self.rect.width)
-        self.put(self.names[min(max(index, 0), len(self.names) - 1)])
+        at = bisect_right([left for left, _ in self.spans()], pos[0]) - 1
+        self.put(self.names[max(at, 0)])
 
     def key(self, key: int, mod: int) -> bool:
         if key in (pygame.K_LEFT, pygame.K_RIGHT):
@@ -240,17 +243,31 @@ class Tabs(Widget):
             return True
         return False
 
-    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
-        width = self.rect.width / len(self.names)
-        labels = [self.shown(name) for name in self.names]
-        size = max(1, unit * 3 // 2)
-        while size > 1 and max(text.font(size).size(label)[0] for label in labels) > width - unit // 2:
+    def spans(self) -> list[tuple[int, int]]:
+        """Where each tab begins and ends, in pixels: what the texts leave is shared out evenly."""
+        widths = self._widths(self._size())
+        spare = (self.rect.width - sum(widths)) / len(widths)
+        edges = [self.rect.left + round(edge) for edge in accumulate((width + spare for width in widths), initial=0.0)]
+        return list(pairwise(edges))
+
+    def _widths(self, size: int) -> list[int]:
+        return [text.font(size).size(self.shown(name))[0] for name in self.names]
+
+    def _size(self) -> int:
+        """The height of the texts: less than usual only where they would not find room."""
+        size = max(1, self._unit * 3 // 2)
+        while size > 1 and sum(self._widths(size)) + len(self.names) * self._unit > self.rect.width:
             size -= 1
-        for i, name in enumerate(self.names):
-            over = self.pointer is not None and hovered and 0 <= self.pointer[0] - self.rect.left - i * width < width
-            tab = pygame.Rect(round(self.rect.left + i * width), self.rect.top, round(width) - 1, self.rect.height)
+        return size
+
+    def draw(self, surface: pygame.Surface, unit: int, focused: bool, hovered: bool) -> None:
+        self._unit = unit
+        size = self._size()
+        for name, (left, right) in zip(self.names, self.spans(), strict=True):
+            over = self.pointer is not None and hovered and left <= self.pointer[0] < right
+            tab = pygame.Rect(left, self.rect.top, right - left - 1, self.rect.height)
             tab.inflate_ip(-unit // 4, -unit // 2)
             here = name == self.get()
             plate(surface, tab, theme.FACE_LIT if here else theme.FACE, unit, tone(over) if here else None)
             color = theme.TEXT if here or over else theme.QUIET
-            text.draw(surface, labels[i], size, color, tab.center, (0.5, 0.5))
+            text.draw(surface, self.shown(name), size, color, tab.center, (0.5, 0.5))

@@ -14,6 +14,7 @@ from pool2d.config.assets import asset
 from pool2d.config.knobs import walk
 from pool2d.config.reader import read_toml
 from pool2d.config.settings import GUIDES, Settings
+from pool2d.fit.measurements import MEASUREMENTS
 from pool2d.game.drills.drill import MISSES
 from pool2d.game.rules import GAMES
 from pool2d.game.rules.notes import ENGLISH as RULINGS
@@ -21,7 +22,7 @@ from pool2d.game.setup import BREAKS
 from pool2d.table.preset import conditions, title_of
 from pool2d.table.table_knobs import Knobs
 from pool2d.ui.dialogs.options import PAGES, PALETTES
-from pool2d.ui.play import tuning_panel
+from pool2d.ui.play import by_hand_page, tuning_panel
 from pool2d.ui.stage import timeline
 from pool2d.ui.stage.legend import LEGEND
 from pool2d.ui.wording import words as words_module
@@ -128,6 +129,8 @@ def test_everything_named_in_tables_has_its_texts() -> None:
     wanted += [*KNOBS, *(f"choice.{value}" for knob in KNOBS.values() for value in knob.choices)]
     wanted += [f"condition.{name}" for name in conditions()]
     wanted += [f"tuning.page.{page}" for page in tuning_panel.PAGES]
+    wanted += [f"by_hand.{name}{ending}" for row in by_hand_page.ROWS for name in row for ending in ("", "_hint")]
+    wanted += [f"by_hand.knob.{each.turns}" for each in MEASUREMENTS]
     wanted += [f"timeline.{action}" for action in timeline.TIMELINE_KEYS.values()]
     wanted += [f"vectors.{name}" for _, name in LEGEND]
     wanted += [f"match.breaks_by.{name}" for name in BREAKS]
