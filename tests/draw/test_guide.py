@@ -176,6 +176,34 @@ def test_a_shot_that_meets_nothing_has_no_ghost() -> None:
     assert view.cue[-1][1] > CUE.y
 
 
+def test_with_the_ghost_ball_a_dot_ends_the_way_of_the_object_ball_and_a_line_alone_has_neither() -> None:
+    shown, view = seen(Shot(angle=1.0, speed=1.0)), fit(2.54, 1.27, (0, 0, 1280, 720))
+    assert shown.ghost is not None
+    x, y = view.to_screen(*shown.object[-1])
+    middle = view.to_screen(shown.ghost.x, shown.ghost.y)
+
+    def drawn(level: int, what: guide.Guide = shown) -> pygame.Surface:
+        picture = pygame.Surface((1280, 720))
+        guide.draw(picture, what, level, TABLE, view)
+        return picture
+
+    def lit(picture: pygame.Surface, place: tuple[float, float], reach: int) -> int:
+        """How many pixels are lit in a square about a place."""
+        part = picture.subsurface((round(place[0]) - reach, round(place[1]) - reach, 2 * reach + 1, 2 * reach + 1))
+        return int((pygame.surfarray.array3d(part).max(axis=2) > 40).sum())
+
+    # The dot is three pixels in radius, some of it beyond the end of the way, which is thinner.
+    assert lit(drawn(guide.GHOST), (x, y), 6) > 30
+    for level in (guide.LINE, guide.WHOLE):
+        assert lit(drawn(level), (x, y), 6) == 0
+    # The ghost ball is drawn with the whole guide too.
+    assert lit(drawn(guide.GHOST), middle, 20) > 100 and lit(drawn(guide.WHOLE), middle, 20) > 100
+    assert lit(drawn(guide.LINE), middle, 20) < 100
+    nothing = seen(Shot(angle=90.0, speed=0.3), Layout([CUE]))
+    for level in (guide.LINE, guide.GHOST, guide.WHOLE):
+        assert lit(drawn(level, nothing), view.to_screen(CUE.x, CUE.y + 0.02), 6) > 0
+
+
 @pytest.mark.parametrize("ball", ["1", "2", "3", "14"])
 def test_in_the_whole_guide_a_way_has_the_colour_of_its_ball(ball: str) -> None:
     layout = Layout([Ball("cue", 0.6, 0.6), Ball(ball, 0.9, 0.6)])

@@ -60,6 +60,16 @@ def test_a_cell_has_the_colour_of_its_mean() -> None:
             assert cell(picture, column, row) == tuple(expected)
 
 
+def test_the_bar_beside_the_map_has_every_colour_from_the_least_below_to_the_most_above() -> None:
+    picture = heat_map.draw(map_of_a_ridge(), SIZE)
+    left, top, width, height = frame()
+    # In the bar, which begins a letter's breadth to the right of the map.
+    x = left + width + 25
+    shades = [tuple(picture.get_at((x, top + height - 1 - y)))[:3] for y in range(height)]
+    expected = colors(np.linspace(0.0, 1.0, height)).astype(int)
+    assert np.abs(np.array(shades) - expected).max() <= 4
+
+
 @pytest.mark.parametrize("mean", [0.0, 1.0, np.nan])
 def test_a_map_of_one_value_or_none_is_drawn(mean: float) -> None:
     flat = HeatMap(Axis("side", (0.1,)), Axis("height", (0.0, 0.1)), "balls potted", np.full((2, 1), mean))
