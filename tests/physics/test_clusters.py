@@ -11,9 +11,11 @@ import pytest
 
 from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.physics.body import Body
-from pool2d.physics.cluster import Group, solve
+from pool2d.physics.cluster import Group, linked, solve
+from pool2d.physics.crowd import Crowd
 from pool2d.physics.laws.registry import BALL_LAWS
 from pool2d.physics.materials import materials
+from pool2d.physics.motion import start
 from pool2d.physics.params import BallKnobs, Physics
 
 from ..checks import assert_sound, energy
@@ -234,3 +236,22 @@ def test_the_order_of_the_balls_is_of_no_consequence_to_the_bit() -> None:
     for seed in range(5):
         random.Random(seed).shuffle(balls)
         assert simulate(TABLE, Layout(balls), shot).digest() == expected
+
+
+def test_a_group_is_the_same_from_whichever_of_its_balls_it_is_found() -> None:
+    bodies = [Body(ball, index, RADIUS, 0.17) for index, ball in enumerate(rack().values())]
+    crowd = Crowd(bodies, [start(body, 0.0, materials(Physics()).cloth) for body in bodies])
+    for motion in crowd.motion:
+        crowd.put(motion)
+    touching = [
+        (a.index, b.index)
+        for a in bodies
+        for b in bodies
+        if a.index < b.index and math.dist((a.x, a.y), (b.x, b.y)) < 1.01 * PITCH
+    ]
+    assert len(touching) == 30
+    for body in bodies[1:]:
+        found = linked([body], crowd, 1e-6, 0.0)
+        assert [(a.index, b.index) for a, b, _ in found] == touching
+        assert max(gap for _, _, gap in found) < 1e-12
+    assert linked(bodies[:1], crowd, 1e-6, 0.0) == []
