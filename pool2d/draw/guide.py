@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -135,15 +136,27 @@ def trace(
     return _cut(points, length)
 
 
-def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
-    """Draw as much of the guide as `level` says, from LINE up."""
+def draw(
+    surface: pygame.Surface,
+    rollout: Rollout,
+    cue: str,
+    level: int,
+    table: Table,
+    view: View,
+    style: theme.Style = theme.PLAIN,
+) -> None:
+    """Draw as much of the guide of a rollout as `level` says, from LINE up, `cue` being the ball that is struck."""
     scale = _scale(view)
+    guide = foresee(rollout, cue, within=fineness(view))
     lines = [_line(theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)]
-    if level == GHOST:
-        # Above it, the ways on are among those of the whole shot.
+    if level == WHOLE:
+        draw_whole(surface, rollout, table, view, style=style, over=lines)
+    elif level == GHOST:
         lines.append(_line(theme.GUIDE_CUE, guide.after, view, 1.8 * scale))
         lines.append(_line(theme.GUIDE_BALL, guide.object, view, 2.4 * scale))
-    pen.paths(surface, lines)
+        pen.paths(surface, lines)
+    else:
+        pen.paths(surface, lines)
     if guide.ghost is None or level < GHOST:
         return
     radius = table.body_of(guide.ghost)[0] * view.scale
@@ -162,17 +175,20 @@ def draw_whole(
     cue: theme.Color = theme.GUIDE_CUE,
     others: theme.Color | None = None,
     style: theme.Style = theme.PLAIN,
+    over: Sequence[pen.Path] = (),
 ) -> None:
     """Draw every ball's path to its end, and where it rests or which pocket it falls into.
 
-    The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own.
+    The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own. Lines that
+    go `over` the paths are drawn with them, as one drawing of many takes less time than two.
     """
     scale = _scale(view)
     struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
     moved = [ball for ball in rollout.layout().values() if len(rollout.tracks.get(ball.id, ())) > 1]
     colors = [cue if ball.id in struck else others or _own(ball_art.look_of(table, ball.id), style) for ball in moved]
     ways = [trace(rollout, ball.id, within=fineness(view)) for ball in moved]
-    pen.paths(surface, [_line(color, way, view, 1.8 * scale) for color, way in zip(colors, ways, strict=True)])
+    lines = [_line(color, way, view, 1.8 * scale) for color, way in zip(colors, ways, strict=True)]
+    pen.paths(surface, [*lines, *over])
     for color, ball in zip(colors, moved, strict=True):
         if ball.phase == POCKETED:
             radius = table.body_of(ball)[0] * view.scale

@@ -16,6 +16,7 @@ from .theme import Color
 Point = tuple[float, float]
 
 _Ints = npt.NDArray[np.int64]
+_Lines = npt.NDArray[np.int16]
 _Floats = npt.NDArray[np.float64]
 _Flags = npt.NDArray[np.bool_]
 _Covers = npt.NDArray[np.float32]
@@ -23,6 +24,8 @@ _Pixels = npt.NDArray[np.uint32]
 
 # A pixel that is covered in full; the two of its four bytes that are mixed at once, and what rounds them.
 _FULL, _BYTES, _HALVES = 256, 0x00FF00FF, 0x00800080
+# No line at all: more than are ever drawn at once.
+_NONE = (1 << 15) - 1
 
 
 class Path(NamedTuple):
@@ -46,7 +49,7 @@ class _Pieces(NamedTuple):
     v1: _Floats
     half: _Floats
     steep: _Flags
-    of: _Ints
+    of: _Lines
 
 
 def drawable(surface: pygame.Surface) -> bool:
@@ -56,23 +59,26 @@ def drawable(surface: pygame.Surface) -> bool:
 
 def draw(surface: pygame.Surface, paths: Sequence[Path]) -> None:
     """Draw lines within the clip, later ones over earlier ones."""
-    pieces = _pieces(paths)
-    places, cover, of = _covered(pieces, surface)
+    places, cover, of = _covered(_pieces(paths), surface)
     pixels = np.frombuffer(surface.get_buffer(), np.uint32)  # type: ignore[call-overload]  # It is a buffer.
-    total = _blank(len(pixels))
-    ends = np.searchsorted(of, np.arange(len(paths) + 1))
-    for path, start, end in zip(paths, ends[:-1], ends[1:], strict=True):
-        here = places[:, start:end].ravel()
+    colors = np.array([surface.map_rgb(path.color[:3]) for path in paths], np.uint32)
+    solid = np.array([path.color[3] if len(path.color) == 4 else 255 for path in paths], np.float32) * (_FULL / 255.0)
+    total, first = _blank(len(pixels))
+    # All lines at once, and once more those pixels where one lies over another: each call costs more than many pixels.
+    while len(places):
+        np.minimum.at(first, places, of)
+        now = first.take(places) == of
+        here, line = places[now], of[now]
         # What two pieces cover of a pixel where they meet adds up; all of its mentions then say the same.
-        np.add.at(total, here, cover[:, start:end].ravel())
-        part = np.minimum(total[here], 1.0)
-        total[here] = 0.0
-        part *= _FULL * (path.color[3] if len(path.color) == 4 else 255) / 255.0
-        pixels[here] = _mixed(pixels[here], surface.map_rgb(path.color[:3]), np.rint(part).astype(np.uint32))
+        np.add.at(total, here, cover[now])
+        part = np.rint(np.minimum(total.take(here), 1.0) * solid.take(line)).astype(np.uint32)
+        pixels[here] = _mixed(pixels.take(here), colors.take(line), part)
+        total[here], first[here] = 0.0, _NONE
+        places, cover, of = places[~now], cover[~now], of[~now]
 
 
 def _pieces(paths: Sequence[Path]) -> _Pieces:
-    of = np.repeat(np.arange(len(paths)), [len(path.points) for path in paths])
+    of = np.repeat(np.arange(len(paths), dtype=np.int16), [len(path.points) for path in paths])
     points = np.array([point for path in paths for point in path.points], np.float64).reshape(-1, 2)
     a, b = points[:-1], points[1:]
     some = (of[:-1] == of[1:]) & (a != b).any(axis=1)
@@ -86,11 +92,10 @@ def _pieces(paths: Sequence[Path]) -> _Pieces:
     return _Pieces(u0, v0, u1, v1, half, steep, of)
 
 
-def _covered(pieces: _Pieces, surface: pygame.Surface) -> tuple[_Ints, _Covers, _Ints]:
-    """The pixels of pieces, counted row by row, how much of each is covered, 0 to 1, and the lines they belong to.
+def _covered(pieces: _Pieces, surface: pygame.Surface) -> tuple[_Ints, _Covers, _Lines]:
+    """The pixels of pieces, counted row by row, how much of each is covered, up to 1, and the lines they belong to.
 
-    A piece goes pixel by pixel along its axis, and in each is as high across as makes its width: each column of the
-    first two is one such step. What lies outside of the clip is told as nothing of the first pixel.
+    A piece goes pixel by pixel along its axis, and in each is as high across as makes its width.
     """
     steep, clip, pitch = pieces.steep, surface.get_clip(), surface.get_pitch() // 4
     first = np.maximum(np.floor(pieces.u0 + 0.5), np.where(steep, clip.top, clip.left)).astype(np.int64)
@@ -101,29 +106,31 @@ def _covered(pieces: _Pieces, surface: pygame.Surface) -> tuple[_Ints, _Covers, 
     u0, half = pieces.u0[piece], pieces.half[piece]
     start, end = np.maximum(u - 0.5, u0), np.minimum(u + 0.5, pieces.u1[piece])
     v = pieces.v0[piece] + (0.5 * (start + end) - u0) * ((pieces.v1 - pieces.v0) / (pieces.u1 - pieces.u0))[piece]
-    lowest = np.floor(v - half + 0.5)
-    # Of the pixels across, counted from the lowest, all is covered that lies above `below` and not above `above`.
-    below, above = ((v + side * half - lowest + 0.5).astype(np.float32) for side in (-1.0, 1.0))
-    rows = np.arange(math.ceil(2.0 * half.max(initial=0.0)) + 1, dtype=np.float32)[:, None]
-    cover = np.clip(above - rows, 0.0, 1.0) - np.clip(below - rows, 0.0, 1.0)
+    below = np.maximum(v - half, (np.where(steep, clip.left, clip.top) - 0.5)[piece])
+    above = np.minimum(v + half, (np.where(steep, clip.right, clip.bottom) - 0.5)[piece])
+    lowest = np.floor(below + 0.5)
+    # The pixels across are counted from the lowest, and so is from where to where the piece reaches in them.
+    below, above = ((side - lowest + 0.5).astype(np.float32) for side in (below, above))
+    rows = np.arange(math.ceil(2.0 * half.max(initial=0.0)) + 1)[:, None]
+    cover = np.minimum(above, (rows + 1).astype(np.float32)) - np.maximum(below, rows.astype(np.float32))
     cover *= (end - start).astype(np.float32)
-    across = rows.astype(np.int64) + lowest.astype(np.int64)
-    inside = (across >= np.where(steep, clip.left, clip.top)[piece]) & (
-        across < np.where(steep, clip.right, clip.bottom)[piece]
-    )
-    across *= np.where(steep, 1, pitch)[piece]
-    across += u * np.where(steep, pitch, 1)[piece]
-    return across * inside, cover * inside, pieces.of[piece]
+    up, on = np.where(steep, 1, pitch), np.where(steep, pitch, 1)
+    places = rows * up[piece] + (lowest.astype(np.int64) * up[piece] + u * on[piece])
+    some = cover > 0.0
+    return places[some], cover[some], np.broadcast_to(pieces.of[piece], some.shape)[some]
 
 
 @lru_cache(maxsize=1)
-def _blank(size: int) -> _Covers:
-    """Room for what is covered of each pixel, left blank by whoever uses it: to fetch it anew takes long."""
-    return np.zeros(size, np.float32)
+def _blank(size: int) -> tuple[_Covers, _Lines]:
+    """Room for how much of each pixel is covered, and by which line first.
+
+    It is left blank by whoever uses it: to fetch it anew takes long.
+    """
+    return np.zeros(size, np.float32), np.full(size, _NONE, np.int16)
 
 
-def _mixed(below: _Pixels, color: int, part: _Pixels) -> _Pixels:
-    """Pixels with `part` of _FULL of a colour over them."""
+def _mixed(below: _Pixels, color: _Pixels, part: _Pixels) -> _Pixels:
+    """Pixels with `part` of _FULL of a colour over each."""
     rest = _FULL - part
     even = (below & _BYTES) * rest + (color & _BYTES) * part + _HALVES
     odd = (below >> 8 & _BYTES) * rest + (color >> 8 & _BYTES) * part + _HALVES

@@ -98,8 +98,12 @@ def placed_on(table: Table, view: View, ball: Ball, orientation: Quaternion) -> 
 
 
 def ghost_of(table: Table, view: View, ball: Ball) -> Placed:
-    """A ball that is not really there, such as where one would come to rest: faint, and without a shadow."""
-    return placed_on(table, view, ball, FACING)._replace(alpha=_FAINT, shadow=False)
+    """A ball that is not really there, such as where one would come to rest: faint, and without a shadow.
+
+    It is put to a whole pixel: so one picture does wherever an aim that turns moves it.
+    """
+    x, y = view.to_screen(ball.x, ball.y)
+    return placed_on(table, view, ball, FACING)._replace(centre=(round(x), round(y)), alpha=_FAINT, shadow=False)
 
 
 def look_of(table: Table, ball: str) -> Look:
