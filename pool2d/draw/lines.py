@@ -14,6 +14,8 @@ import pygame
 from .theme import Color
 
 Point = tuple[float, float]
+# From left and top to right and bottom, which are not within it.
+_Clip = tuple[int, int, int, int]
 
 _Ints = npt.NDArray[np.int64]
 _Lines = npt.NDArray[np.int16]
@@ -59,12 +61,25 @@ def drawable(surface: pygame.Surface) -> bool:
 
 def draw(surface: pygame.Surface, paths: Sequence[Path]) -> None:
     """Draw lines within the clip, later ones over earlier ones."""
-    places, cover, of = _covered(_pieces(paths), surface)
     pixels = np.frombuffer(surface.get_buffer(), np.uint32)  # type: ignore[call-overload]  # It is a buffer.
+    clip, pitch = surface.get_clip(), surface.get_pitch() // 4
+    fixed = tuple([path._replace(points=tuple(path.points)) for path in paths])
     colors = np.array([surface.map_rgb(path.color[:3]) for path in paths], np.uint32)
+    for places, of, part in _layers(fixed, (*clip.topleft, *clip.bottomright), pitch, len(pixels)):
+        pixels[places] = _mixed(pixels.take(places), colors.take(of), part)
+
+
+@lru_cache(maxsize=8)
+def _layers(paths: tuple[Path, ...], clip: _Clip, pitch: int, size: int) -> list[tuple[_Ints, _Lines, _Pixels]]:
+    """The pixels to be mixed with colours, all of a layer at once: which, of which lines, and to what part of _FULL.
+
+    A second layer has those pixels where a line lies over another, a third those where one more does: a call costs more
+    than many pixels. What rests while something beside it changes is not worked out again.
+    """
+    places, of, cover = _covered(_pieces(paths), clip, pitch)
     solid = np.array([path.color[3] if len(path.color) == 4 else 255 for path in paths], np.float32) * (_FULL / 255.0)
-    total, first = _blank(len(pixels))
-    # All lines at once, and once more those pixels where one lies over another: each call costs more than many pixels.
+    total, first = _blank(size)
+    layers = []
     while len(places):
         np.minimum.at(first, places, of)
         now = first.take(places) == of
@@ -72,9 +87,10 @@ def draw(surface: pygame.Surface, paths: Sequence[Path]) -> None:
         # What two pieces cover of a pixel where they meet adds up; all of its mentions then say the same.
         np.add.at(total, here, cover[now])
         part = np.rint(np.minimum(total.take(here), 1.0) * solid.take(line)).astype(np.uint32)
-        pixels[here] = _mixed(pixels.take(here), colors.take(line), part)
+        layers.append((here, line, part))
         total[here], first[here] = 0.0, _NONE
-        places, cover, of = places[~now], cover[~now], of[~now]
+        places, of, cover = places[~now], of[~now], cover[~now]
+    return layers
 
 
 def _pieces(paths: Sequence[Path]) -> _Pieces:
@@ -92,22 +108,22 @@ def _pieces(paths: Sequence[Path]) -> _Pieces:
     return _Pieces(u0, v0, u1, v1, half, steep, of)
 
 
-def _covered(pieces: _Pieces, surface: pygame.Surface) -> tuple[_Ints, _Covers, _Lines]:
-    """The pixels of pieces, counted row by row, how much of each is covered, up to 1, and the lines they belong to.
+def _covered(pieces: _Pieces, clip: _Clip, pitch: int) -> tuple[_Ints, _Lines, _Covers]:
+    """The pixels of pieces, counted row by row, the lines they belong to, and how much of each is covered, up to 1.
 
     A piece goes pixel by pixel along its axis, and in each is as high across as makes its width.
     """
-    steep, clip, pitch = pieces.steep, surface.get_clip(), surface.get_pitch() // 4
-    first = np.maximum(np.floor(pieces.u0 + 0.5), np.where(steep, clip.top, clip.left)).astype(np.int64)
-    last = np.minimum(np.floor(pieces.u1 + 0.5), np.where(steep, clip.bottom, clip.right) - 1).astype(np.int64)
+    steep, (left, top, right, bottom) = pieces.steep, clip
+    first = np.maximum(np.floor(pieces.u0 + 0.5), np.where(steep, top, left)).astype(np.int64)
+    last = np.minimum(np.floor(pieces.u1 + 0.5), np.where(steep, bottom, right) - 1).astype(np.int64)
     count = np.maximum(last - first + 1, 0)
     piece = np.repeat(np.arange(len(count)), count)
     u = np.arange(len(piece)) + (first - np.cumsum(count) + count)[piece]
     u0, half = pieces.u0[piece], pieces.half[piece]
     start, end = np.maximum(u - 0.5, u0), np.minimum(u + 0.5, pieces.u1[piece])
     v = pieces.v0[piece] + (0.5 * (start + end) - u0) * ((pieces.v1 - pieces.v0) / (pieces.u1 - pieces.u0))[piece]
-    below = np.maximum(v - half, (np.where(steep, clip.left, clip.top) - 0.5)[piece])
-    above = np.minimum(v + half, (np.where(steep, clip.right, clip.bottom) - 0.5)[piece])
+    below = np.maximum(v - half, (np.where(steep, left, top) - 0.5)[piece])
+    above = np.minimum(v + half, (np.where(steep, right, bottom) - 0.5)[piece])
     lowest = np.floor(below + 0.5)
     # The pixels across are counted from the lowest, and so is from where to where the piece reaches in them.
     below, above = ((side - lowest + 0.5).astype(np.float32) for side in (below, above))
@@ -117,7 +133,7 @@ def _covered(pieces: _Pieces, surface: pygame.Surface) -> tuple[_Ints, _Covers, 
     up, on = np.where(steep, 1, pitch), np.where(steep, pitch, 1)
     places = rows * up[piece] + (lowest.astype(np.int64) * up[piece] + u * on[piece])
     some = cover > 0.0
-    return places[some], cover[some], np.broadcast_to(pieces.of[piece], some.shape)[some]
+    return places[some], np.broadcast_to(pieces.of[piece], some.shape)[some], cover[some]
 
 
 @lru_cache(maxsize=1)

@@ -234,3 +234,18 @@ def test_the_whole_guide_rings_the_pocket_that_a_ball_falls_into() -> None:
         for turn in (i * math.tau / 12 for i in range(12))
     ]
     assert min(ring) > 60
+
+
+def test_while_an_aim_turns_no_ball_at_rest_is_painted_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    view, picture = fit(2.54, 1.27, (0, 0, 1280, 720)), pygame.Surface((1280, 720))
+
+    def draw(turn: float) -> tuple[float, float]:
+        rollout = simulate(TABLE, CUT, Shot(angle=turn, speed=1.2))
+        guide.draw_whole(picture, rollout, TABLE, view)
+        end = rollout.layout()["1"]
+        return view.to_screen(end.x, end.y)
+
+    ends = [draw(1.0)]
+    monkeypatch.setattr(ball_art, "render", lambda *_: pytest.fail("painted"))
+    ends += [draw(1.0 + 0.1 * i) for i in range(1, 9)]
+    assert len({(x % 1.0 // 0.25, y % 1.0 // 0.25) for x, y in ends}) > 3

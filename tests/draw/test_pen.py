@@ -8,6 +8,7 @@ import pygame
 import pytest
 
 from pool2d.draw import pen
+from pool2d.draw.theme import Color
 
 
 def level(surface: pygame.Surface, x: float, y: float) -> int:
@@ -90,11 +91,35 @@ def test_a_way_that_is_none_or_out_of_sight_leaves_no_mark(points: list[pen.Poin
     assert not pygame.surfarray.array3d(picture).any()
 
 
-def test_a_line_stays_within_the_clip() -> None:
-    picture = pygame.Surface((60, 60))
-    picture.set_clip((20, 20, 20, 20))
-    pen.line(picture, (255, 255, 255), (-30.0, 25.0), (100.0, 33.0), 2.0)
-    lit = pygame.surfarray.array3d(picture)[:, :, 0]
-    assert lit[20:40, 20:40].any()
-    lit[20:40, 20:40] = 0
-    assert not lit.any()
+@pytest.mark.parametrize("clip", [(20, 20, 20, 20), (0, 0, 31, 60), (10, 25, 50, 3), (29, 0, 2, 60)])
+@pytest.mark.parametrize("turn", [0, 14, 45, 76, 90, 120])
+def test_of_a_line_the_clip_leaves_what_is_within_it(clip: tuple[int, int, int, int], turn: float) -> None:
+    x, y = 80.0 * math.cos(math.radians(turn)), 80.0 * math.sin(math.radians(turn))
+    ends = (30.2 - x, 30.7 - y), (30.2 + x, 30.7 + y)
+    whole, part = pygame.Surface((60, 60)), pygame.Surface((60, 60))
+    part.set_clip(clip)
+    for picture in (whole, part):
+        pen.line(picture, (255, 255, 255), *ends, 2.0)
+    expected = pygame.Surface((60, 60))
+    expected.blit(whole, clip[:2], clip)
+    assert pygame.image.tobytes(part, "RGB") == pygame.image.tobytes(expected, "RGB")
+
+
+def test_a_line_that_was_drawn_before_is_drawn_anew_in_another_colour_width_or_place() -> None:
+    points = [(5.0, 7.3), (50.0, 30.0), (12.0, 38.0)]
+
+    def drawn(color: Color, width: float, size: tuple[int, int]) -> pygame.Surface:
+        picture = pygame.Surface(size)
+        picture.fill((20, 90, 60))
+        pen.paths(picture, [pen.Path(color, points, width)])
+        return picture.subsurface((0, 0, 60, 40))
+
+    def look(picture: pygame.Surface) -> bytes:
+        return pygame.image.tobytes(picture, "RGB")
+
+    first = drawn((255, 0, 0), 2.0, (60, 40))
+    assert look(drawn((255, 0, 0), 2.0, (90, 44))) == look(first)
+    assert look(drawn((255, 0, 0, 128), 2.0, (60, 40))) != look(first) != look(drawn((255, 0, 0), 3.0, (60, 40)))
+    assert drawn((0, 0, 255), 2.0, (60, 40)).get_at((30, 20))[:3] != first.get_at((30, 20))[:3] != (20, 90, 60)
+    points[1] = (50.0, 31.0)
+    assert look(drawn((255, 0, 0), 2.0, (60, 40))) != look(first)
