@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -136,27 +135,15 @@ def trace(
     return _cut(points, length)
 
 
-def draw(
-    surface: pygame.Surface,
-    rollout: Rollout,
-    cue: str,
-    level: int,
-    table: Table,
-    view: View,
-    style: theme.Style = theme.PLAIN,
-) -> None:
-    """Draw as much of the guide of a rollout as `level` says, from LINE up, `cue` being the ball that is struck."""
+def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
+    """Draw as much of the guide as `level` says, from LINE up."""
     scale = _scale(view)
-    guide = foresee(rollout, cue, within=fineness(view))
     lines = [_line(theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)]
-    if level == WHOLE:
-        draw_whole(surface, rollout, table, view, style=style, over=lines)
-    elif level == GHOST:
+    if level == GHOST:
+        # Above it, the ways on are among those of the whole shot.
         lines.append(_line(theme.GUIDE_CUE, guide.after, view, 1.8 * scale))
         lines.append(_line(theme.GUIDE_BALL, guide.object, view, 2.4 * scale))
-        pen.paths(surface, lines)
-    else:
-        pen.paths(surface, lines)
+    pen.paths(surface, lines)
     if guide.ghost is None or level < GHOST:
         return
     radius = table.body_of(guide.ghost)[0] * view.scale
@@ -175,20 +162,17 @@ def draw_whole(
     cue: theme.Color = theme.GUIDE_CUE,
     others: theme.Color | None = None,
     style: theme.Style = theme.PLAIN,
-    over: Sequence[pen.Path] = (),
 ) -> None:
     """Draw every ball's path to its end, and where it rests or which pocket it falls into.
 
-    The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own. Lines that
-    go `over` the paths are drawn with them, as one drawing of many takes less time than two.
+    The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own.
     """
     scale = _scale(view)
     struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
     moved = [ball for ball in rollout.layout().values() if len(rollout.tracks.get(ball.id, ())) > 1]
     colors = [cue if ball.id in struck else others or _own(ball_art.look_of(table, ball.id), style) for ball in moved]
     ways = [trace(rollout, ball.id, within=fineness(view)) for ball in moved]
-    lines = [_line(color, way, view, 1.8 * scale) for color, way in zip(colors, ways, strict=True)]
-    pen.paths(surface, [*lines, *over])
+    pen.paths(surface, [_line(color, way, view, 1.8 * scale) for color, way in zip(colors, ways, strict=True)])
     for color, ball in zip(colors, moved, strict=True):
         if ball.phase == POCKETED:
             radius = table.body_of(ball)[0] * view.scale

@@ -105,7 +105,10 @@ class Stage:
     def guide(self, surface: pygame.Surface, level: int, rollout: Rollout | None, ball: str) -> None:
         """Draw what a shot that strikes `ball` would do, as far as it can be foreseen."""
         if rollout is not None:
-            guide.draw(surface, rollout, ball, level, self.table, self.view, self.style)
+            if level == guide.WHOLE:
+                guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
+            fore = guide.foresee(rollout, ball, within=guide.fineness(self.view))
+            guide.draw(surface, fore, level, self.table, self.view)
 
     def comparison(
         self, surface: pygame.Surface, before: Rollout | None, compared: Rollout | None, now: Rollout | None
