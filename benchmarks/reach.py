@@ -16,7 +16,7 @@ import sys
 import time
 from collections import defaultdict
 from collections.abc import Iterator
-from functools import _lru_cache_wrapper
+from functools import _lru_cache_wrapper, cache
 from pathlib import Path
 from typing import Any
 
@@ -74,8 +74,10 @@ class Watch:
 
     def pytest_sessionfinish(self) -> None:
         lines: dict[str, dict[str, list[int]]] = defaultdict(lambda: defaultdict(list))
+        # A path is told for each of its lines, a million times in all.
+        within = cache(lambda path: Path(path).relative_to(Path.cwd()).as_posix())
         for context, path, line in self._lines.stop():
-            lines[context][Path(path).relative_to(Path.cwd()).as_posix()].append(line)
+            lines[context][within(path)].append(line)
         self._out.write_text(json.dumps({"seconds": self._seconds, "failed": sorted(self._failed), "lines": lines}))
 
 

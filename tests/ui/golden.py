@@ -33,7 +33,7 @@ from pool2d.game.orientations import racked_orientations
 from pool2d.ui.dialogs import help
 
 from ..draw import findings
-from . import parts_sheet
+from . import pages_sheet, parts_sheet
 from .widgets import widget_sheet
 
 SIZE = (640, 360)
@@ -104,6 +104,8 @@ SCENES: dict[str, Callable[[], pygame.Surface]] = {
     "scoreboards": parts_sheet.scoreboards,
     "notes": parts_sheet.notes,
     "controls": parts_sheet.controls,
+    "time-lines": parts_sheet.time_lines,
+    "pages": pages_sheet.pages,
 }  # fmt: skip
 
 

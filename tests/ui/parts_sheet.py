@@ -1,4 +1,4 @@
-"""Parts of the window by themselves, in every way that they can look: scoreboards, notes, the diagrams of the cue."""
+"""Parts of the window by themselves, in every way they can look: scoreboards, notes, time lines, the cue's diagrams."""
 
 from __future__ import annotations
 
@@ -7,13 +7,15 @@ from typing import Any
 
 import pygame
 
-from pool2d import load_table
+from pool2d import Ball, Layout, Shot, load_table, simulate
 from pool2d.draw import theme
 from pool2d.game.aim import Aim
 from pool2d.game.match import Match, Moment
 from pool2d.game.setup import Setup
 from pool2d.ui.screen import Screen
 from pool2d.ui.stage import bars, scoreboard
+from pool2d.ui.stage.playback import Playback
+from pool2d.ui.stage.timeline import Timeline
 from pool2d.ui.toasts import Toasts
 from pool2d.ui.wording.words import Words
 
@@ -91,8 +93,34 @@ def controls() -> pygame.Surface:
     return _below_each_other([whole.subsurface(SCREEN.top), *strips])
 
 
+def time_lines() -> pygame.Surface:
+    """A shot that runs, one held on an event, and one at its end; the pointer on a button, on a mark and off both."""
+    screen, table = Screen(2560, 1440), load_table("pool-9ft")
+    shot = Shot(speed=2.0)
+    rollout = simulate(table, Layout([Ball("cue", 0.6, 0.6), Ball("1", 1.2, 0.62)]), shot)
+    strips = []
+    for kind in ("runs", "held", "ended"):
+        surface = pygame.Surface((screen.width, screen.height))
+        shown, line = Playback(rollout, shot, again=True), Timeline(Words())
+        line.place(screen, 0 if kind == "runs" else 700)
+        if kind == "runs":
+            shown.change_rate(-2)
+            shown.update(1.0)
+            line.hover = line.button("begin").center
+        elif kind == "held":
+            shown.step(1)
+            shown.step(1)
+            line.hover = (round(line.x_of(rollout.events[3].t, shown)) + 3, line.track.centery + 9)
+        else:
+            shown.seek(shown.end)
+            shown.change_rate(2)
+        line.draw(surface, shown, table)
+        strips.append(surface.subsurface(screen.bottom))
+    return _below_each_other(strips)
+
+
 def _below_each_other(strips: list[pygame.Surface]) -> pygame.Surface:
-    surface = pygame.Surface((SCREEN.width, sum(strip.get_height() for strip in strips)))
+    surface = pygame.Surface((strips[0].get_width(), sum(strip.get_height() for strip in strips)))
     y = 0
     for strip in strips:
         surface.blit(strip, (0, y))

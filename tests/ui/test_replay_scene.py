@@ -263,8 +263,14 @@ def test_a_shot_that_rolls_otherwise_than_recorded_is_told(recorded: Path) -> No
     assert [take.same for take in map(RecordedShots(kept).__getitem__, range(4))] == [False, True, True, True]
 
 
-def test_the_command_shows_a_record(recorded: Path) -> None:
+def test_the_command_shows_a_record(recorded: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: list[object] = []
+    real = App._draw
+    monkeypatch.setattr(App, "_draw", lambda app, scene: (drawn.append(scene), real(app, scene)))
     assert start.replay(recorded, 3, frames=3) == 0
+    assert len(drawn) == 3
+    for scene in drawn:
+        assert isinstance(scene, Replay) and scene.state.at == 2
     with pytest.raises(InputError, match="allowed is 1 to 4"):
         start.replay(recorded, 5, frames=3)
 

@@ -45,6 +45,23 @@ def test_a_guide_that_is_off_is_not_worked_out(two: Hand, counted: list[int]) ->
     assert counted
 
 
+def test_the_softest_stroke_has_its_guide_and_a_cue_that_is_not_drawn_back_none(
+    two: Hand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn: list[float] = []
+    monkeypatch.setattr(two.play.stage, "guide", lambda surface, level, rollout, struck: drawn.append(level))
+    for _ in range(40):
+        two.key(pygame.K_DOWN)
+    drawn.clear()
+    two.key(pygame.K_LEFT)
+    assert two.play.state.hands.speed < 0.5 and drawn
+    two.press()
+    drawn.clear()
+    two.app.redraw()
+    two.app.step(0.0)
+    assert two.play.state.hands.speed == 0.0 and not drawn
+
+
 def test_the_same_shot_is_worked_out_once(counted: list[int]) -> None:
     foresight = Foresight()
     first = foresight.rollout(TABLE, guide.GHOST, layout(), SHOT)

@@ -158,6 +158,17 @@ def test_reset_and_close_by_mouse(mine: Hand, store: Store) -> None:
     assert isinstance(mine.app.scene, Play)
 
 
+def test_what_is_reset_is_told_in_the_language_that_it_was_reset_to(
+    mine: Hand, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LC_ALL", "en_GB.UTF-8")
+    store.turn("screen.language", "de")
+    scene = options(mine, "screen")
+    click(mine, widget(scene, Button, "Seite zurücksetzen").rect.center)
+    assert store.values.screen.language == "auto"
+    assert {"Reset this page", "Close"} <= {w.label for w in scene.form.widgets if isinstance(w, Button)}
+
+
 def test_pages_by_mouse(mine: Hand) -> None:
     scene = options(mine)
     tabs = next(w for w in scene.form.widgets if isinstance(w, Tabs))
