@@ -31,6 +31,7 @@ from pool2d.ui.replay import replay_view
 from pool2d.ui.replay.record_list import RecordList, open_replays
 from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.replay.replay_state import PAUSE
+from pool2d.ui.scene import Scene
 from pool2d.ui.widgets.list_row import ListRow
 from pool2d.ui.widgets.widget import Heading
 from pool2d.ui.wording.words import Words
@@ -264,9 +265,14 @@ def test_a_shot_that_rolls_otherwise_than_recorded_is_told(recorded: Path) -> No
 
 
 def test_the_command_shows_a_record(recorded: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    drawn: list[object] = []
+    drawn: list[Scene] = []
     real = App._draw
-    monkeypatch.setattr(App, "_draw", lambda app, scene: (drawn.append(scene), real(app, scene)))
+
+    def draw(app: App, scene: Scene) -> None:
+        drawn.append(scene)
+        real(app, scene)
+
+    monkeypatch.setattr(App, "_draw", draw)
     assert start.replay(recorded, 3, frames=3) == 0
     assert len(drawn) == 3
     for scene in drawn:

@@ -75,7 +75,7 @@ def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: t
     box = screen.message
     box.width = max(1, box.width - taken)
     pitch = text.font(screen.small).get_linesize()
-    lines = text.in_lines(message, screen.small, box.width, max(1, box.height // pitch))
+    lines = text.in_lines(message, screen.small, box.width, box.height // pitch)
     y = box.centery - pitch * len(lines) / 2
     for line in lines:
         text.draw(surface, line, screen.small, color, (box.left, y))

@@ -64,6 +64,23 @@ def test_what_is_agreed_is_kept_for_the_next() -> None:
     )  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("kept", "options"),
+    [
+        ("target=75.0", {"target": 75.0}),
+        ("target=75", {"target": 75.0}),
+        ("target=0.5", {"target": 1.0}),
+        ("target=9999.0", {"target": 1000.0}),
+        ("target=1.2.3", {}),
+        ("target=yes", {}),
+        ("target", {}),
+        ("points=75.0", {}),
+    ],
+)
+def test_a_number_that_was_kept_counts_within_its_range(kept: str, options: dict[str, float | str]) -> None:
+    assert draft(game=f"straight {kept}").options == options
+
+
 def test_a_table_that_cannot_be_read_is_told() -> None:
     made = draft(game="nine-ball")
     assert made.table is None or made.error == ""
