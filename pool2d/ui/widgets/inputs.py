@@ -75,7 +75,8 @@ class Slider(Widget):
         track, value = self._track(), self.get()
         top = self.rect.top + unit // 2
         color = theme.ACCENT if focused else theme.TEXT
-        told = text.draw(surface, self.shown(value), unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
+        said = text.fitted(self.shown(value), unit * 7 // 4, self.rect.width * 2 // 3)
+        told = text.draw(surface, said, unit * 7 // 4, theme.ACCENT, (self.rect.right, top), (1.0, 0.0))
         label = text.fitted(self.label, unit * 7 // 4, told.left - self.rect.left - unit)
         text.draw(surface, label, unit * 7 // 4, color, (self.rect.left, top))
         shapes.rounded(surface, track, theme.EDGE, track.height)

@@ -29,6 +29,7 @@ def widgets() -> list[Widget]:
         Button("Do", lambda: None),
         Button("Do", lambda: None, strong=True),
         Button("Do", lambda: None, barred=lambda: True),
+        Button(LONG, lambda: None),
         Toggle("On", lambda: True, lambda _: None),
         Toggle(LONG, lambda: False, lambda _: None),
         Tabs(["Cloth", "Balls", "Cue"], lambda: "Balls", lambda _: None),
@@ -36,10 +37,13 @@ def widgets() -> list[Widget]:
         Slider(
             "Wide", Knob(0.5, 0.001, 0.1, "", ""), lambda: 0.01, lambda _: None, lambda: None, shown=lambda _: "1/100"
         ),
+        Slider(LONG, Knob(0.5, 0.0, 1.0, "", ""), lambda: 0.9, lambda _: None, lambda: None, shown=lambda _: LONG),
         Selector("Law", lambda: NAMES, lambda: NAMES[3], lambda _: None),
+        Selector(LONG, lambda: (LONG,), lambda: LONG, lambda _: None),
         TextField("Name", "some words"),
         TextField("Name", LONG, limit=100),
         TextField("Name"),
+        TextField(LONG, ""),
         chosen,
         ListBox(lambda: NAMES, lambda: NAMES[4], lambda _: None, lines=4),
         ListBox(lambda: NAMES[:3], lambda: NAMES[2], lambda _: None, lines=4),
