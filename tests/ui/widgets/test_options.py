@@ -10,7 +10,7 @@ import pytest
 
 from pool2d import load_table
 from pool2d.config.settings import Store
-from pool2d.draw import guide, text
+from pool2d.draw import guide, text, theme
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import keys
 from pool2d.ui.dialogs.options import PAGES, KeyRow, OptionsPage
@@ -192,6 +192,23 @@ def test_a_key_is_bound_anew_and_the_help_shows_it(mine: Hand, store: Store) -> 
     store.save()
     assert store.path is not None
     assert Store(store.path).keys == {"guide": ("h",)}
+
+
+def test_a_row_that_waits_for_a_key_looks_pressed(mine: Hand) -> None:
+    one = KeyRow(mine.app.words, "guide", lambda: None)
+    one.rect = pygame.Rect(0, 0, 400, 40)
+
+    def ground() -> tuple[int, ...]:
+        surface = pygame.Surface(one.rect.size)
+        one.draw(surface, 8, False, False)
+        return tuple(surface.get_at((one.rect.right - 10, one.rect.centery)))[:3]
+
+    assert ground() == theme.FACE
+    one.key(pygame.K_RETURN, 0)
+    assert ground() == theme.FACE_DOWN
+    one.key(pygame.K_ESCAPE, 0)
+    one.held, one.pointer = True, one.rect.center
+    assert ground() == theme.FACE_DOWN
 
 
 def test_a_key_that_another_action_has_is_told_and_taken_on_the_second_press(mine: Hand) -> None:
