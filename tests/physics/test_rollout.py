@@ -104,3 +104,10 @@ def test_a_rollout_can_be_copied_and_sent(again: Callable[[Rollout], Rollout]) -
     for t in (0.0, 0.3 * ROLL.duration, ROLL.duration):
         assert other.at(t) == ROLL.at(t)
     assert Rollout(other.start, other.tracks, other.events, other.truncated).digest() == ROLL.digest()
+
+
+def test_where_nothing_moves_a_shot_is_over_at_once() -> None:
+    layout = Layout([Ball("cue", 0.6, 0.6), Ball("1", 1.2, 0.6)])
+    still = simulate(load_table("pool-9ft"), layout)
+    assert still.events == [] and still.duration == 0.0
+    assert still.layout() == layout
