@@ -13,7 +13,7 @@ from pool2d.game.match import Match, Moment, lagged
 from pool2d.game.records.record import load
 from pool2d.game.rules import GAMES, Choice
 from pool2d.game.session import Session, practice, recorded
-from pool2d.game.setup import Setup
+from pool2d.game.setup import LAG, Setup
 
 
 def about_to_shoot(game: str) -> Session:
@@ -68,6 +68,17 @@ def test_every_stroke_is_counted_until_the_balls_are_racked(game: str) -> None:
             assert after.shots == before.shots + 1 or (after.racks > before.racks and after.shots == 0)
         elif isinstance(action, Choice) and action.key == "place":
             assert after.shots == before.shots
+
+
+def test_the_strokes_of_a_lag_are_counted_and_none_of_the_rack_after_it(table: Table) -> None:
+    session = Session(Match(table, Setup("nine-ball", breaker=LAG, seed=3)))
+    for strokes in (0, 1):
+        assert (session.strokes, session.ask.kind) == (strokes, "aim")
+        # The second lag is the shorter one, so that both are good and one of them is better.
+        session.play(Shot(0.0, 1.5 - 0.05 * strokes, ball=session.cue.id))
+    assert (session.strokes, session.ask.kind) == (2, "choose")
+    session.choose("break")
+    assert (session.strokes, session.left) == (0, 9)
 
 
 def test_the_balls_left_are_those_on_the_table_but_for_the_one_to_be_struck(table: Table) -> None:

@@ -24,7 +24,7 @@ import pytest
 
 from pool2d import Layout, Table, load_table
 from pool2d.game.rules import CHOOSE, GAMES, Choice, Ruling, State
-from pool2d.game.rules.notes import ENGLISH
+from pool2d.game.rules.notes import ENGLISH, Note
 from pool2d.game.rules.pool.pool import PoolRules
 from pool2d.game.rules.ruling import Declared
 from pool2d.game.rules.spotting import Where
@@ -157,6 +157,7 @@ def check(name: str, case: Case) -> None:
 
 def assert_told(ruling: Ruling) -> None:
     """Whatever is ruled can be said, of the right player, and says nothing that the state does not hold."""
+    _assert_points_told(ruling)
     for note in (*ruling.notes, *ruling.fouls):
         text = ENGLISH[note.key]
         assert note.player in (0, 1) or "{player}" not in text, note
@@ -168,6 +169,17 @@ def assert_told(ruling: Ruling) -> None:
         elif what in ("turn", "in-hand", "chooses", "wins"):
             assert note.player == ruling.ask.player, note
     assert [note for note in ruling.notes if note in ruling.fouls] == list(ruling.fouls)
+
+
+def _assert_points_told(ruling: Ruling) -> None:
+    """Every change of the score is told; at one-pocket the balls that are held show it."""
+    told = [(note.player, note.points if note.key == "score" else -note.points) for note in _scores(ruling)]
+    changed = [(player, points) for player, points in enumerate(ruling.points) if points]
+    assert told == ([] if hasattr(ruling.state, "held") else changed)
+
+
+def _scores(ruling: Ruling) -> list[Note]:
+    return [note for note in ruling.notes if note.key in ("score", "loses")]
 
 
 def line(ruling: Ruling, before: State | None = None) -> str:

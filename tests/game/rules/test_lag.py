@@ -113,7 +113,9 @@ def test_the_balls_start_side_by_side_in_their_halves_behind_the_head_string() -
         layout = Lag(table, begun).start().layout
         a, b = layout.values()
         width = table.knobs.table.width
-        assert a.x == b.x < table.furniture.spots["head"][0]
+        # Wholly behind the line, and less than a ball's width from it.
+        radius, line = table.body_of(a)[0], table.furniture.spots["head"][0]
+        assert a.x == b.x and line - 3.0 * radius < a.x < line - radius
         assert (a.y, b.y) == (width * 0.25, width * 0.75)
         # They are as large and as heavy as each other, also where the game's balls are not.
         assert table.body_of(a) == table.body_of(b)
