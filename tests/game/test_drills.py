@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -207,6 +208,9 @@ def test_the_best_result_is_kept() -> None:
     assert not keep("draw", 2)
     assert keep("draw", 5)
     assert (best("draw"), best("follow")) == (5, 1)
+    # By name, however they were made.
+    assert keep("bank", 1)
+    assert list(json.loads((data_folder() / "drills" / "best.json").read_text())) == ["bank", "draw", "follow"]
 
 
 def test_results_that_cannot_be_read_are_left_alone() -> None:

@@ -271,3 +271,15 @@ def test_a_ball_that_fell_is_seen_to_fall_where_it_did(
         assert [(e.balls[0], e.where) for e in drops if e.balls[0] in dict(wanted)] == wanted
         seen += len(wanted)
     assert seen
+
+
+def test_the_strokes_before_a_line_that_cannot_be_played_are_all_there_are(path: Path) -> None:
+    played(path, actions=12)
+    lines = bodies(path)
+    third = [body for body in lines if body.get("do") == "stroke"][2]
+    third["shot"] = third["shot"].replace("cue", "9")
+    shots = RecordedShots(rewrite(path, lines))
+    assert len(shots) > 2 and not shots.complete and shots.fault is None
+    last = shots[len(shots) - 1]
+    assert (len(shots), last.number, shots.complete) == (2, 2, True)
+    assert shots.fault is not None and shots[99] is last

@@ -135,3 +135,14 @@ def test_a_state_that_lacks_something_is_refused_in_one_line() -> None:
     with pytest.raises(InputError, match=r"^state of practice: .*missing.*'who'") as refused:
         game("practice", TABLE).state({"ask": {"kind": "aim"}})
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("name", GAMES)
+def test_what_a_state_does_not_tell_is_as_it_is_at_first(name: str) -> None:
+    """As in a record of before a game told it."""
+    tables = [load_table(table) for table in ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft", "pyramid-12ft")]
+    rules = game(name, next(table for table in tables if name in games_for(table)))
+    assert rules.state({}) == rules.state_type()
+    told = rules.state({"turn": 1, "seed": 7, "ask": {"kind": "choose", "who": 1, "options": ["pass"]}})
+    assert (told.turn, told.seed, told.shots, told.ask.kind, told.ask.player) == (1, 7, 0, "choose", 1)
+    assert (told.ask.ball, told.ask.where, told.ask.on, told.ask.options) == ("", "", (), ("pass",))

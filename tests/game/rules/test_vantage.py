@@ -9,9 +9,9 @@ import pytest
 
 from pool2d import Layout, Table, load_table
 from pool2d.game.rules import game
-from pool2d.game.rules.sight import snookered
+from pool2d.game.rules.sight import Disc, snookered
 from pool2d.game.rules.spotting import Where, may_place, put
-from pool2d.game.rules.vantage import vantage
+from pool2d.game.rules.vantage import Curve, StraightLine, _meet, vantage
 from pool2d.physics.values import POCKETED
 from pool2d.table.outline import Point
 
@@ -106,3 +106,30 @@ def test_no_sample_finds_what_is_not_there(table: Table, rules: str, where: Wher
         x, y = rng.uniform(line - 0.4, line), rng.uniform(0.0, table.knobs.table.width)
         if may_place(table, layout, "cue", where, x, y):
             assert snookered(table, layout, cue._replace(x=x, y=y), on, between=between)
+
+
+def off(curve: Curve, place: Point) -> float:
+    """How far a place is from a curve, m."""
+    if isinstance(curve, StraightLine):
+        return abs(curve.nx * place[0] + curve.ny * place[1] - curve.far)
+    return abs(math.dist((curve.x, curve.y), place) - curve.touch)
+
+
+def test_where_two_curves_meet_lies_on_both() -> None:
+    """Two lines that are not parallel meet once; a circle is met twice by what leads through it."""
+    rng = random.Random("curves")
+
+    def line(through: Point) -> StraightLine:
+        nx, ny = math.cos(way := rng.uniform(0.0, math.tau)), math.sin(way)
+        return StraightLine(nx, ny, nx * through[0] + ny * through[1])
+
+    for _ in range(40):
+        middle = rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)
+        a, b, disc = line(middle), line((0.3, 0.2)), Disc(*middle, rng.uniform(0.1, 0.5))
+        other = Disc(middle[0] + 0.8 * disc.touch, middle[1], disc.touch)
+        for one, two, times in ((a, b, 1), (a, disc, 2), (disc, a, 2), (disc, other, 2), (other, disc, 2)):
+            found = list(_meet(one, two))
+            assert len(found) == times
+            assert max(off(curve, place) for curve in (one, two) for place in found) < 1e-9
+    assert not list(_meet(Disc(0.0, 0.0, 0.1), Disc(1.0, 0.0, 0.2)))
+    assert not list(_meet(StraightLine(1.0, 0.0, 0.2), StraightLine(1.0, 0.0, 0.3)))
