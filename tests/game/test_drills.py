@@ -73,6 +73,7 @@ def drill_of(folder: Path, step: str, top: str = "") -> Drill:
         ('pot = "any"\nleast = 2', "cue-1 1> 9>", "cue-1 1>", "not_potted"),
         ('first = "1"', "cue-1 cue-9", "cue-9 cue-1", "wrong_first"),
         ('first = "stripe"', "cue-9", "cue-1", "wrong_first"),
+        ('first = "1"', "cue-9+1", "cue-9 cue-1", "wrong_first"),
         ('hits = ["1", "9"]', "cue-1 cue-9", "cue-1 1-9", "not_all_hit"),
         ('hits = ["1", "9"]\nrails = 3', "cue| cue-1 cue| cue| cue-9", "cue| cue| cue-1 cue-9 cue|", "few_rails"),
         ('hits = ["stripe"]\nrails = 1', "cue-1 cue| cue-9", "cue-1 cue-9 cue|", "few_rails"),
@@ -106,6 +107,13 @@ def test_balls_have_to_rest_somewhere(tmp_path: Path, rest: str, places: dict[tu
     assert not RestArea("1").holds(Layout([Ball("cue", 0.5, 0.5)]))
 
 
+def test_every_ball_has_to_rest_where_it_is_wanted(tmp_path: Path) -> None:
+    drill = drill_of(tmp_path, 'rest = [{ x = [0.4, 0.6] }, { ball = "9", at = [2.0, 0.5], within = 0.1 }]')
+    there, away = drill.layout, drill.layout.put(drill.layout["9"]._replace(x=1.5))
+    assert faults(drill.table, drill.steps[0], report(""), there) == ""
+    assert faults(drill.table, drill.steps[0], report(""), away) == "wrong_rest"
+
+
 def test_a_drill_is_told_in_the_languages_it_has(tmp_path: Path) -> None:
     drill = drill_of(tmp_path, "", 'name = "Stop"\ntext = "Stop it."\nde.text = "Bleibt liegen."\n')
     assert drill.wording_in("de") == ("Stop", "Bleibt liegen.")
@@ -136,7 +144,14 @@ def test_colours_are_spotted_where_a_step_says_so(tmp_path: Path) -> None:
     standing = played(drill, (Shot(45.45, 1.785, height=0.04),))
     assert (standing.done, standing.missed) == (1, "")
     black = standing.layout["black"]
-    assert (black.x, black.y, black.phase) == (*drill.table.furniture.spots["black"], "resting")
+    spot = drill.table.furniture.spots["black"]
+    assert (black.x, black.y, black.phase) == (*spot, "resting")
+    # Beside a ball that lies there; one that no rack has a place for stays off.
+    path.write_text(path.read_text().replace("black@", f"red1@{spot[0]},{spot[1]} extra@0.5,0.5 black@"))
+    drill = load(str(path))
+    rollout = simulate(drill.table, drill.layout, Shot(45.45, 1.785, height=0.04))
+    black = judge(drill, start(drill), rollout).layout["black"]
+    assert black.x == pytest.approx(spot[0] + 2.0 * drill.table.knobs.ball.radius, abs=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -129,6 +129,34 @@ def test_frames_are_racked_differently(table: Table) -> None:
     assert match.layout != first
 
 
+@pytest.mark.parametrize("game", GAMES)
+def test_nobody_has_shot_where_a_frame_begins(game: str) -> None:
+    match, rng = new_match(game, 6, race=2), random.Random(game)
+    assert (match.now.shooter, match.now.frame) == (-1, 0)
+    while match.ask.kind != "aim":
+        match.play(random_action(match, rng))
+    shooter = match.ask.player
+    match.play(Stroke(Shot(0.2, 4.0, ball=match.ask.ball)))
+    assert match.now.shooter == shooter
+    match.play(Concede(match.ask.player))
+    if not match.over:
+        match.play(NextFrame())
+        assert (match.now.shooter, match.now.frame) == (-1, 1)
+
+
+def test_the_racks_of_a_seed_stay_what_they_are(table: Table) -> None:
+    """Else no record of a match could be played again."""
+    match = Match(table, Setup("nine-ball", race=3, breaker=0, seed=7))
+    seen = []
+    for _ in range(3):
+        balls = sorted(match.layout.values(), key=lambda ball: (round(ball.x, 3), ball.y))
+        seen.append("".join(ball.id for ball in balls if ball.id != "cue"))
+        match.play(Concede(len(seen) % 2))
+        if not match.over:
+            match.play(NextFrame())
+    assert seen == ["185792436", "152693784", "138296457"]
+
+
 def test_a_coin_decides_who_breaks(table: Table) -> None:
     tossed = [Match(table, Setup("nine-ball", seed=seed)).now.breaker for seed in range(40)]
     assert set(tossed) == {0, 1}
@@ -193,6 +221,8 @@ def test_practice_puts_balls_anywhere(table: Table) -> None:
         (Stroke(Shot(0.0, 1.0), Call("1", "left")), "call.pocket = 'left'"),
         (Choice("re-rack"), "allowed is place"),
         (Concede(2), "player = 2: allowed is 0 to 1"),
+        (Concede(-1), "player = -1: allowed is 0 to 1"),
+        (Concede(True), "player = True: allowed is 0 to 1"),
         (NextFrame(), "allowed between frames only"),
     ],
 )

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from pool2d import Ball, Layout, Shot, load_table, simulate
 from pool2d.game.referee import _span, observe
 from pool2d.game.rules.report import BALL, POCKET, RAIL, Call, Contact, Report
+from pool2d.physics.values import POCKETED
 
 from .rules.notation import report
 
@@ -117,6 +120,55 @@ def test_a_ball_met_while_the_tip_is_on_the_cue_ball(gap: float, angle: float, s
     """WPA 6.7; who barely grazes a close ball is given the benefit."""
     close = Ball("1", 0.5 + 2.0 * RADIUS + gap, 0.635)
     assert seen(Ball("cue", 0.5, 0.635), close, angle=angle, speed=2.0).stroke == stroke
+
+
+@pytest.mark.parametrize("way", [0.0, 37.0, 120.0, 180.0, 250.0, 325.0])
+@pytest.mark.parametrize(("cut", "full"), [(0.0, True), (25.0, True), (-25.0, True), (40.0, False), (-40.0, False)])
+def test_a_close_ball_is_hit_in_full_or_grazed_whichever_way_it_lies(way: float, cut: float, full: bool) -> None:
+    """Thinner than half a ball, which is 30 degrees from the line of centres, is grazed."""
+    far = 2.0 * RADIUS + 5e-4
+    close = Ball("1", 1.1 + far * math.cos(math.radians(way)), 0.5 + far * math.sin(math.radians(way)))
+    told = seen(Ball("cue", 1.1, 0.5), close, angle=(way + cut) % 360.0, speed=2.0)
+    assert told.first == ("1",) and told.touching == ()
+    assert told.stroke == (("double-hit",) if full else ())
+
+
+def test_a_tip_stays_on_the_cue_ball_for_a_millisecond() -> None:
+    found = set()
+    for gap in (5e-4 * i for i in range(1, 13)):
+        layout = Layout([Ball("cue", 0.5, 0.635), Ball("1", 0.5 + 2.0 * RADIUS + gap, 0.635)])
+        roll = simulate(TABLE, layout, Shot(angle=0.0, speed=2.0))
+        met = next(event.t for event in roll.events if event.pairs)
+        assert observe(TABLE, roll).stroke == (("double-hit",) if met <= 1e-3 else ())
+        found.add(round(1e3 * met))
+    assert {0, 1, 2} <= found
+
+
+@pytest.mark.parametrize("gap", [0.0, 3e-5])
+@pytest.mark.parametrize(
+    ("x", "y", "rail"),
+    [
+        (0.6, REACH, "bottom-left"),
+        (1.9, REACH, "bottom-right"),
+        (0.6, WIDTH - REACH, "top-left"),
+        (1.9, WIDTH - REACH, "top-right"),
+        (REACH, 0.5, "left"),
+        (TABLE.knobs.table.length - REACH, 0.5, "right"),
+    ],
+)
+def test_a_ball_that_lies_on_a_cushion_is_frozen_to_that(x: float, y: float, rail: str, gap: float) -> None:
+    """One that a sheet of paper would go behind is not."""
+    inward = {"bottom": (0.0, 1.0), "top": (0.0, -1.0), "left": (1.0, 0.0), "right": (-1.0, 0.0)}[rail.split("-")[0]]
+    frozen = Ball("1", x + gap * inward[0], y + gap * inward[1])
+    told = seen(frozen, Ball("cue", 1.27, 0.7), angle=90.0, speed=0.1)
+    assert told.frozen == ((("1", rail),) if gap == 0.0 else ())
+
+
+def test_what_has_fallen_before_goes_over_no_line() -> None:
+    fallen = [Ball("8", 0.0, 0.0, phase=POCKETED), Ball("9", 2.5, 1.2, phase=POCKETED)]
+    told = seen(Ball("cue", 0.3, 0.635), Ball("1", 0.5, 0.635), *fallen, angle=0.0, speed=3.0)
+    assert told.crossed == told.passed == told.cleared == ("1",)
+    assert (told.touching, told.frozen) == ((), ())
 
 
 def test_a_miscue_is_told() -> None:

@@ -7,7 +7,7 @@ import random
 import pytest
 
 from benchmarks.random_play import new_match, random_action
-from pool2d import Ball, InputError, Layout, Rollout, Shot, Table
+from pool2d import Ball, InputError, Layout, Rollout, Shot, Table, load_table
 from pool2d.game.actions import Stroke
 from pool2d.game.match import Match, Moment, lagged
 from pool2d.game.records.record import load
@@ -148,6 +148,10 @@ def test_only_practice_goes_on_on_another_table(table: Table) -> None:
     session = practice(table)
     session.change_table(slow)
     assert session.table is slow and session.is_practice
+    small = practice(load_table("pool-7ft"))
+    assert not small.place(2.3, 0.3)
+    small.change_table(table)
+    assert small.place(2.3, 0.3) and small.layout["cue"].x == 2.3
     match = Session(Match(table, Setup("nine-ball")))
     with pytest.raises(InputError, match="the table stays as it is"):
         match.change_table(slow)

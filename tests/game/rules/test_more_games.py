@@ -252,3 +252,18 @@ def test_what_fell_by_a_foul_is_spotted_behind_the_foot_spot_or_else_before_it_t
     free = without(layout, *row[:10])
     ruling = FREE.judge(FREE._aiming(state, free, 0), without(free, "14", "15"), report("14> 15>", start=free))
     assert [place for _, place in ruling.spotted] == [foot, pytest.approx((foot[0] + touch + CLEAR, foot[1]), abs=1e-8)]
+
+
+@pytest.mark.parametrize(
+    ("key", "player", "where", "racks"),
+    [("accept", 1, "", 1), ("re-rack", 1, "kitchen", 2), ("opponent-breaks", 0, "kitchen", 2)],
+)
+def test_after_a_foul_at_the_break_the_other_player_chooses(key: str, player: int, where: str, racks: int) -> None:
+    """General rules of pyramid: the point stays, whoever breaks anew."""
+    start = FREE.start()
+    fouled = FREE.judge(start.state, start.layout, report("cue-1 1|", start=start.layout))
+    ruling = FREE.choose(fouled.state, fouled.layout, Choice(key))
+    assert (ruling.ask.player, ruling.ask.where, ruling.state.racks) == (player, where, racks)
+    assert (ruling.state.scores, ruling.state.shots) == ((0, 1), 1 if key == "accept" else 0)
+    assert ruling.state.breaker == (player if where else 0)
+    assert bool(ruling.ask.cues) == (key == "accept")
