@@ -41,6 +41,15 @@ def test_the_nearest_room_is_beside_the_balls_that_are_in_the_way(table: Table) 
     assert outside is not None and 0.0 < outside[0] < 0.1
 
 
+@pytest.mark.parametrize("part", [0.2, 0.6, 0.9, 1.3, 1.7])
+def test_a_ball_is_moved_half_a_radius_further_than_it_has_to_be_at_most(table: Table, part: float) -> None:
+    radius = table.knobs.ball.radius
+    ball = Ball("2", 1.0 + part * radius, 0.6)
+    place = room_near(table, Layout([Ball("1", 1.0, 0.6)]), ball)
+    assert place is not None
+    assert 2.0 - part <= math.dist(place, (ball.x, ball.y)) / radius <= 2.5 - part + 1e-9
+
+
 def test_the_latest_shot_is_known_after_balls_were_moved(table: Table) -> None:
     session = practice(table)
     assert latest(session) is None

@@ -6,7 +6,7 @@ import json
 import random
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from benchmarks.random_play import new_match, random_action
@@ -35,6 +35,17 @@ actions = st.one_of(
 
 
 @given(actions)
+# One of each kind at least, whatever is drawn.
+@example(Stroke(Shot(12.5, 3.0, 0.1, -0.2, 5.0, "cue"), Call("1", "top-left")))
+@example(Stroke(Shot(0.0, 1.0), Call(safety=True)))
+@example(Stroke(Shot(0.0, 1.0), Call(push=True)))
+@example(Choice("place", 0.3, -0.1))
+@example(Choice("re-rack"))
+@example(Concede(1))
+@example(NextFrame())
+@example(Stalemate())
+@example(Arrange(Layout()))
+@example(Arrange(Layout([Ball("cue", 0.5, 0.6), Ball("1", 0.1, 0.2, phase=POCKETED)])))
 def test_an_action_comes_back_from_json(action: Action) -> None:
     back = from_dict(json.loads(json.dumps(as_dict(action))), "line")
     assert back == action
