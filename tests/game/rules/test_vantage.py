@@ -11,7 +11,7 @@ from pool2d import Layout, Table, load_table
 from pool2d.game.rules import game
 from pool2d.game.rules.sight import Disc, snookered
 from pool2d.game.rules.spotting import Where, may_place, put
-from pool2d.game.rules.vantage import Curve, StraightLine, _meet, vantage
+from pool2d.game.rules.vantage import Area, Curve, StraightLine, _common, _meet, _on_the_way, vantage
 from pool2d.physics.values import POCKETED
 from pool2d.table.outline import Point
 
@@ -133,3 +133,33 @@ def test_where_two_curves_meet_lies_on_both() -> None:
             assert max(off(curve, place) for curve in (one, two) for place in found) < 1e-9
     assert not list(_meet(Disc(0.0, 0.0, 0.1), Disc(1.0, 0.0, 0.2)))
     assert not list(_meet(StraightLine(1.0, 0.0, 0.2), StraightLine(1.0, 0.0, 0.3)))
+
+
+def test_a_disc_is_on_the_way_where_it_lies_between_the_ball_on_and_the_area() -> None:
+    """By how far it is from each stretch of the line, from where that grazes the ball on to a corner round the area."""
+    rng, layout = random.Random("ways"), alone(ENGLISH, "english-eight-ball")
+    area, told = Area(ENGLISH, layout, layout["cue"], "kitchen"), set()
+    left, low, right, high = area.box
+    for _ in range(150):
+        target, other = (Disc(rng.uniform(0.0, 1.8), rng.uniform(0.0, 0.9), TOUCH) for _ in range(2))
+        for line in _common(target, other):
+            far = line.nx * target.x + line.ny * target.y - line.far
+            grazes = target.x - far * line.nx, target.y - far * line.ny
+            gaps = [
+                gap(other, grazes, (x - line.nx * off_line, y - line.ny * off_line))
+                for x in (left, right)
+                for y in (low, high)
+                for off_line in [line.nx * x + line.ny * y - line.far]
+            ]
+            if min(gaps) <= other.touch + 1e-9 or min(gaps) > 2.0 * other.touch:
+                told.add(min(gaps) <= 2.0 * other.touch)
+                assert _on_the_way(area, target, other, line) is (min(gaps) <= 2.0 * other.touch)
+    assert told == {True, False}
+
+
+def gap(disc: Disc, a: Point, b: Point) -> float:
+    """How far the middle of a disc is from a stretch of a line."""
+    wx, wy = b[0] - a[0], b[1] - a[1]
+    part = ((disc.x - a[0]) * wx + (disc.y - a[1]) * wy) / (wx * wx + wy * wy or 1.0)
+    part = min(max(part, 0.0), 1.0)
+    return math.dist((disc.x, disc.y), (a[0] + part * wx, a[1] + part * wy))
