@@ -126,7 +126,7 @@ def test_where_two_curves_meet_lies_on_both() -> None:
     for _ in range(40):
         middle = rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)
         a, b, disc = line(middle), line((0.3, 0.2)), Disc(*middle, rng.uniform(0.1, 0.5))
-        other = Disc(middle[0] + 0.8 * disc.touch, middle[1], disc.touch)
+        other = Disc(middle[0] + 0.8 * disc.touch, middle[1], 0.7 * disc.touch)
         for one, two, times in ((a, b, 1), (a, disc, 2), (disc, a, 2), (disc, other, 2), (other, disc, 2)):
             found = list(_meet(one, two))
             assert len(found) == times
