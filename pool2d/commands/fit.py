@@ -17,6 +17,9 @@ _SHOTS = Knob(24, 1, 1000, "shots", "")
 _SEED = Knob(0, 0, 1e9, "", "")
 _NOISE = Knob(0.4, 0.0, 100.0, "mm", "")
 
+# What tells nothing of measurements.
+_NOT_BY_HAND = ("make", "noise", "count", "seed", "knobs", "elevation", "workers")
+
 
 def register(commands: Any) -> None:
     """Add the command to the others."""
@@ -24,13 +27,19 @@ def register(commands: Any) -> None:
     parser = add(commands, "fit", _run, text)
     parser.add_argument("shots", nargs="?", metavar="SHOTS", help="tracked shots, .csv or .json")
     parser.add_argument("--table", metavar="NAME", help=f"the preset to start from ({_TABLE}, or what SHOTS names)")
+    parser.add_argument("--out", metavar="NAME", help="a preset of your own, or FILE.toml")
     parser.add_argument("--noise", metavar="MM", help="how far off a ball is seen, mm (0.4)")
+    parser.add_argument(
+        "--by-hand", action="store_true", help="from measurements: SHOTS is their .toml, or asks for them"
+    )
     parser.add_argument("--make", metavar="FILE.csv", help="write shots made by the engine, to try a fit on")
     parser.add_argument("--count", metavar="N", help="so many, with --make (24)")
     parser.add_argument("--seed", metavar="N", help="drawn from this, with --make (0)")
 
 
 def _run(arguments: argparse.Namespace) -> int:
+    if arguments.by_hand:
+        return _by_hand(arguments)
     if arguments.make is not None:
         return _make(arguments)
     if arguments.shots is None:
@@ -40,6 +49,18 @@ def _run(arguments: argparse.Namespace) -> int:
     found = read_tracks(Path(arguments.shots))
     terminal.tell(f"{arguments.shots}: {len(found.shots)} shots, {sum(shot.points for shot in found.shots)} points")
     return 0
+
+
+def _by_hand(arguments: argparse.Namespace) -> int:
+    """Find knobs from measurements, out of a file or of answers."""
+    from .fit_by_hand import HandPlan, by_hand
+
+    for name in _NOT_BY_HAND:
+        if getattr(arguments, name, None) is not None:
+            raise InputError("command line", f"--{name}", getattr(arguments, name), "allowed is without --by-hand")
+    out = None if arguments.out is None else str(to_file(arguments.out, "--out"))
+    file = None if arguments.shots is None else Path(arguments.shots)
+    return by_hand(HandPlan(file, arguments.table, to_overrides(arguments.set), to_conditions(arguments), out))
 
 
 def _make(arguments: argparse.Namespace) -> int:

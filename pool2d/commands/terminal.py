@@ -27,6 +27,12 @@ def write(line: str) -> None:
     _to_output(line + "\n")
 
 
+def ask(question: str) -> None:
+    """Print a question, after which the line goes on; raises as `tell`."""
+    _to_output(printable(question, len(question)))
+    flush()
+
+
 def flush() -> None:
     """Wait until all that was printed is where it goes; raises as `tell`."""
     if sys.stdout is not None:

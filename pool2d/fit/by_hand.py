@@ -19,12 +19,14 @@ Vector = NDArray[np.float64]
 
 # What is not measured is as the table's preset has it, give or take this: what measured tables differ by
 # (sliding friction 0.15 to 0.4; pool cloth 0.005 to 0.015, heated 0.0044 to 0.0053; cushions 0.85 to 0.98 and 0.14 to
-# 0.22; a nose's height by the rules to 1 %). So it counts in what is found.
+# 0.22; rubber that springs back along the rail by 0.13 to 0.17, or not at all; a nose's height by the rules to 1 %).
+# So it counts in what is found.
 _UNMEASURED = {
     "cloth.mu_slide": 0.04,
     "cloth.mu_roll": 0.002,
     "cushion.restitution": 0.04,
     "cushion.friction": 0.04,
+    "cushion.tangential": 0.1,
     "cushion.nose_height": 0.0004,
 }
 # What the search begins with, where the table has more: with much friction at the nose the ball stops slipping there,

@@ -43,6 +43,7 @@ class Measurement:
 
     Attributes:
         name: Its name, such as "lag".
+        how: How it is made, in a few sentences.
         turns: The knob that it tells.
         seen: What comes of it.
         terms: What else has to be known of it: how hard, from where.
@@ -51,6 +52,7 @@ class Measurement:
     """
 
     name: str
+    how: str
     turns: str
     seen: Quantity
     terms: tuple[Quantity, ...]
@@ -215,37 +217,56 @@ def _seen(name: str, lo: float, hi: float, unit: str, error: float, doc: str) ->
     return Quantity(name, Knob(0.0, lo, hi, unit, doc), error)
 
 
-def _term(name: str, usual: float, lo: float, hi: float, unit: str, error: float, doc: str) -> Quantity:
-    return Quantity(name, Knob(usual, lo, hi, unit, doc), error, assumed=True)
+def _term(
+    name: str, usual: float, lo: float, hi: float, unit: str, error: float, doc: str, asked: bool = False
+) -> Quantity:
+    return Quantity(name, Knob(usual, lo, hi, unit, doc), error, assumed=True, asked=asked)
 
 
 MEASUREMENTS = (
     Measurement(
-        "lag", "cloth.mu_roll",
+        "lag",
+        "Lag: from the head spot off the foot cushion and back, so that the ball dies at the head cushion. The head "
+        "spot is a quarter of the length from the head.",
+        "cloth.mu_roll",
         _seen("lag.seconds", 0.5, 120.0, "s", 0.2, "from the stroke until a lag up the table and back is at rest"),
-        (_term("lag.gap", 0.0, 0.0, 2.0, "m", 0.05, "left between the ball and the head cushion"),),
+        (_term("lag.gap", 0.0, 0.0, 2.0, "m", 0.05, "left between the ball and the head cushion", asked=True),),
         _lag,
     ),
     Measurement(
-        "hard", "cushion.restitution",
+        "hard",
+        "Hard ball: a hard stroke in the centre, from the head spot straight up the table. The way to the foot "
+        "cushion is three quarters of a length, each way after it a whole one. A phone that records hears stroke "
+        "and cushion.",
+        "cushion.restitution",
         _seen("hard.lengths", 0.1, 100.0, "lengths", 0.1, "that a hard ball runs, from a quarter of the table on"),
         (_seen("hard.first", 0.1, 3.0, "s", 0.02, "from its stroke to its first cushion"),),
         _hard,
     ),
     Measurement(
-        "spin", "cloth.mu_spin",
+        "spin",
+        "Spinning ball: spin a ball on the spot and film it slowed down. Count its turns, and the seconds, from any "
+        "moment until it stops.",
+        "cloth.mu_spin",
         _seen("spin.turns", 0.1, 1000.0, "turns", 0.3, "that a ball spinning on the spot makes until it stops"),
         (_seen("spin.seconds", 0.1, 120.0, "s", 0.1, "that they take"),),
         _spin,
     ),
     Measurement(
-        "oblique", "cushion.friction",
+        "oblique",
+        "At 45 degrees: roll a ball, slowly and without english, into a long cushion at 45 degrees. It comes off, "
+        "bends, and goes straight again: at what angle from the normal?",
+        "cushion.friction",
         _seen("oblique.leaves", 0.1, 89.9, "degrees", 1.0, "from the normal, as a ball rolls on that rolled in at 45"),
         (_term("oblique.angle", 45.0, 20.0, 70.0, "degrees", 0.7, "from the normal, at which it rolls in"),),
         _oblique,
     ),
     Measurement(
-        "rebound", "cushion.restitution",
+        "rebound",
+        "Straight ball: roll a ball square into a cushion. How fast does it roll back, as a part of how fast it "
+        "came? Film it: the seconds over a stretch near the cushion, by those over the same stretch on the way "
+        "back.",
+        "cushion.restitution",
         _seen("rebound.kept", 0.01, 1.0, "", 0.02, "of its speed by a ball that rolls in square, once it rolls back"),
         (
             _term("rebound.line", 0.0, 0.0, 2.0, "m", 0.05, "from the cushion, where the speeds are compared"),

@@ -26,12 +26,14 @@ class Quantity:
         knob: What it may be: range, unit, text; and for what is seldom measured, what it is then taken to be.
         error: How far a reading is off, as a standard deviation, where nobody says otherwise.
         assumed: Whether the default stands in for a reading that nobody has made.
+        asked: Whether people are asked for it; what seldom differs is for files.
     """
 
     name: str
     knob: Knob
     error: float
     assumed: bool = False
+    asked: bool = True
 
     @property
     def usual(self) -> Reading:

@@ -104,15 +104,50 @@ def test_a_better_measurement_gives_a_surer_knob() -> None:
     assert fine.error < 0.8 * rough.error
 
 
-def test_what_is_not_measured_leaves_its_mark_on_the_error() -> None:
+def test_the_error_holds_all_that_may_be_off() -> None:
+    """The reading, the angle at which the ball comes in, and the knobs that are not measured, by squares."""
+    table = load_table("pool-9ft")
+    (found,) = fitted(table, oblique_leaves=54.0).knobs
+    here = bare(table).with_knobs({"cushion.friction": found.now})
+    play = next(each.play for each in MEASUREMENTS if each.name == "oblique")
+
+    def shown(angle: float = 45.0, **knobs: float) -> float:
+        return play(
+            here.with_knobs({name.replace("_", ".", 1): value for name, value in knobs.items()}),
+            {"oblique.angle": angle},
+        )
+
+    knobs = table.knobs
+    off = [
+        1.0,
+        shown(45.7) - shown(),
+        shown(cloth_mu_slide=knobs.cloth.mu_slide - 0.04) - shown(),
+        shown(cloth_mu_roll=knobs.cloth.mu_roll - 0.002) - shown(),
+        shown(cushion_restitution=knobs.cushion.restitution - 0.04) - shown(),
+        shown(cushion_tangential=knobs.cushion.tangential + 0.1) - shown(),
+        shown(cushion_nose_height=knobs.cushion.nose_height - 0.0004) - shown(),
+    ]
+    slope = (shown(cushion_friction=found.now + 0.001) - shown(cushion_friction=found.now - 0.001)) / 0.002
+    error = math.hypot(*off) / abs(slope)
+    # All of the knob's range, from 0 to 1, is what is known of it before.
+    assert found.error == pytest.approx((error**-2 + 12.0) ** -0.5, rel=0.01)
+
+
+def test_what_is_measured_too_makes_another_surer() -> None:
     """How far a ball bends off a cushion depends on the restitution: known, it leaves the friction surer."""
     table = load_table("pool-9ft")
     alone = fitted(table, oblique_leaves=54.0).knobs[0]
-    both = fit_by_hand(
-        table, {"oblique.leaves": Reading(54.0, 1.0), "rebound.kept": Reading(0.56, 0.001)}, "here"
-    )  # fmt: skip
-    friction = next(each for each in both.knobs if each.knob == "cushion.friction")
+    readings = {"oblique.leaves": Reading(54.0, 1.0), "rebound.kept": Reading(0.56, 0.001)}
+    friction = next(each for each in fit_by_hand(table, readings, "here").knobs if each.knob == alone.knob)
     assert friction.error < 0.97 * alone.error
+
+
+def test_a_table_with_too_rough_a_nose_is_no_trap() -> None:
+    """Where the ball stops slipping, more friction changes the angle little, and the other way."""
+    rough = load_table("pool-9ft", {"cushion.friction": 0.6})
+    (found,) = fitted(rough, oblique_leaves=55.0).knobs
+    assert found.was == 0.6
+    assert found.now == pytest.approx(fitted(load_table("pool-9ft"), oblique_leaves=55.0).knobs[0].now, abs=1e-4)
 
 
 def test_two_measurements_of_one_knob_that_disagree_make_it_less_sure() -> None:
