@@ -19,6 +19,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle
 
+from benchmarks.targets import CORNER, INCH, TP_3_6, target
 from pool2d import Ball, Event, Layout, Rollout, Table, load_table, simulate
 from pool2d.physics.materials import materials
 
@@ -231,6 +232,22 @@ def rack(axes: Axes) -> None:
     axes.set_yticks([])
 
 
+def pockets(axes: Axes) -> None:
+    """How wide a corner pocket is to balls at an angle off its axis, the slower the wider: Alciatore's pocket."""
+    table = load_table("pool-9ft", CORNER)
+    speeds = [0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0]
+    for color, (angle, published) in zip(COLORS, TP_3_6.items(), strict=True):
+        sizes = [target(table, "corner", angle, speed) / INCH for speed in speeds]
+        axes.plot(speeds, sizes, color=color, label=f"{angle:.0f} degrees")
+        axes.plot(1.4, published, "o", color=color, markersize=5)
+    axes.set(
+        xscale="log", ylim=(1.5, 4.2), xticks=speeds, xticklabels=[f"{speed:g}" for speed in speeds],
+        xlabel="speed at the mouth, m/s", ylabel="target, inches", title="How large a corner pocket plays",
+    )  # fmt: skip
+    axes.minorticks_off()
+    axes.legend()
+
+
 FIGURES: dict[str, Callable[[Axes], None]] = {
     "throw": throw,
     "thirty-degrees": thirty_degrees,
@@ -240,6 +257,7 @@ FIGURES: dict[str, Callable[[Axes], None]] = {
     "bend": bend,
     "chain": chain,
     "rack": rack,
+    "pockets": pockets,
 }
 
 

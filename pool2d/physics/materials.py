@@ -56,7 +56,7 @@ def materials(physics: Physics) -> Materials:
         CushionNumbers(cushion.restitution, cushion.tangential, cushion.friction, cushion.nose_height, cloth.mu_slide),
         CushionNumbers(
             facing.restitution * cushion.restitution,
-            cushion.tangential,
+            min(1.0, cushion.tangential + facing.tangential),
             facing.friction * cushion.friction,
             cushion.nose_height,
             cloth.mu_slide,

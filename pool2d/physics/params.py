@@ -42,9 +42,10 @@ class CushionKnobs:
 
 @dataclass(frozen=True, slots=True)
 class FacingKnobs:
-    """What pockets' facings are of, beside the cushions whose ends they are; 1 is the cushion's own."""
+    """What pockets' facings are of, beside the cushions whose ends they are: left alone, of the same."""
 
     restitution: float = knob(1.0, 0.0, 1.0, "", "speed kept across a pocket's facing, as a part of a cushion's")
+    tangential: float = knob(0.0, 0.0, 1.0, "", "slip along a facing that it gives back, on top of what a cushion does")
     friction: float = knob(1.0, 0.0, 5.0, "", "friction between a ball and a pocket's facing, in times a cushion's")
 
 

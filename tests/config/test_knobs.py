@@ -17,7 +17,7 @@ CONTRACT = {
     "cloth": ("mu_slide", "mu_roll", "mu_spin"),
     "ball": ("radius", "mass", "restitution", "friction", "friction_a", "friction_b", "friction_c", "law"),
     "cushion": ("restitution", "tangential", "friction", "nose_height", "law"),
-    "facing": ("restitution", "friction"),
+    "facing": ("restitution", "tangential", "friction"),
     "cue": ("mass", "end_mass", "tip_restitution", "tip_friction"),
     "table": ("length", "width"),
     "corner": POCKET,

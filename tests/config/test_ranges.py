@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 
 from pool2d import InputError, load_table
 from pool2d.config.knobs import Knob, walk
 from pool2d.config.settings import Settings
-from pool2d.physics.params import Physics
+from pool2d.physics.params import FacingKnobs, Physics
 from pool2d.physics.strike import squirt
 from pool2d.physics.values import SHOT_RANGES, Shot
 from pool2d.table.placing import RANGES
@@ -28,7 +29,7 @@ ALLOWED: dict[str, tuple[float, float]] = {
     "ball.friction_a": (0, 1), "ball.friction_b": (0, 1), "ball.friction_c": (0, 20), "ball.cling": (0, 5),
     "cushion.restitution": (0, 1), "cushion.tangential": (0, 1), "cushion.friction": (0, 1),
     "cushion.nose_height": (0.01, 0.1),
-    "facing.restitution": (0, 1), "facing.friction": (0, 5),
+    "facing.restitution": (0, 1), "facing.tangential": (0, 1), "facing.friction": (0, 5),
     "cue.mass": (0.1, 2), "cue.end_mass": (0, 0.1), "cue.tip_restitution": (0, 1), "cue.tip_friction": (0.05, 10),
     "table.length": (0.5, 30), "table.width": (0.3, 20), "table.nose_radius": (0, 0.5),
     "corner.mouth": (0.04, 0.3), "corner.angle": (95, 170), "corner.shelf": (0, 0.1), "corner.jaw_radius": (0, 0.2),
@@ -80,7 +81,9 @@ def test_a_stroke_goes_as_far_and_no_further(name: str) -> None:
 
 
 def test_what_a_preset_leaves_out_is_as_on_a_tournament_table_of_nine_feet() -> None:
-    assert Knobs() == load_table("pool-9ft").knobs
+    """But for the facings: left out, they are as the preset's own cushions."""
+    assert replace(Knobs(), facing=load_table("pool-9ft").knobs.facing) == load_table("pool-9ft").knobs
+    assert Knobs().facing == FacingKnobs(restitution=1.0, tangential=0.0, friction=1.0)
 
 
 # Alciatore's list of physical properties; the WPA's specifications of equipment (1991, 2001); grams of an ounce.

@@ -11,11 +11,11 @@ import pytest
 from pool2d import Ball, Event, Layout, Rollout, Table, load_table, simulate
 from pool2d.config.knobs import walk
 
-TABLE = load_table("pool-9ft", dict.fromkeys(("facing.restitution", "facing.friction"), 1.0))
+TABLE = load_table("pool-9ft", {"facing.restitution": 1.0, "facing.tangential": 0.0, "facing.friction": 1.0})
 RADIUS = TABLE.knobs.ball.radius
 # A facing that is like the cushion in nothing, and a cushion that is as this facing is.
-OTHER = TABLE.with_knobs({"facing.restitution": 0.5, "facing.friction": 2.0})
-LIKE = TABLE.with_knobs({"cushion.restitution": 0.5 * 0.92, "cushion.friction": 2.0 * 0.17})
+OTHER = TABLE.with_knobs({"facing.restitution": 0.5, "facing.tangential": 0.3, "facing.friction": 2.0})
+LIKE = TABLE.with_knobs({"cushion.restitution": 0.5 * 0.92, "cushion.tangential": 0.3, "cushion.friction": 2.0 * 0.17})
 
 
 def rolling(x: float, y: float, vx: float, vy: float) -> Ball:
@@ -40,6 +40,15 @@ def test_a_jaw_is_of_the_facing(beside: float) -> None:
     here, like, cushion = (first_touch(simulate(table, Layout([ball]))) for table in (OTHER, LIKE, TABLE))
     assert here.where == "bottom-left jaw"
     assert here.after["1"] == like.after["1"] != cushion.after["1"]
+
+
+def test_what_springs_back_along_a_facing_is_on_top_of_what_does_along_a_cushion() -> None:
+    ball = into_the_mouth(TABLE, 0.03, 10.0, 2.0)
+    outs = []
+    for cushion, facing in ((0.2, 0.3), (0.5, 0.0), (0.8, 0.4), (1.0, 0.0)):
+        table = TABLE.with_knobs({"cushion.tangential": cushion, "facing.tangential": facing, "cushion.friction": 1.0})
+        outs.append(first_touch(simulate(table, Layout([ball]))).after["1"])
+    assert outs[0] == outs[1] != outs[2] == outs[3]
 
 
 def test_a_cushion_is_not_of_the_facing() -> None:

@@ -30,9 +30,9 @@ def test_a_ball_follows_another_into_the_pocket() -> None:
 def test_a_fast_ball_at_a_bad_angle_is_refused() -> None:
     shot = Shot(angle=-20.0, speed=6.0)
     layout = Layout([Ball("cue", 1.05, 0.125)])
-    rollout = simulate(TABLE, layout, shot)
-    assert any(event.where == "bottom-side jaw" for event in rollout.events)
-    assert not any(event.where == "bottom-side" for event in rollout.events)
+    met = [event.where for event in simulate(TABLE, layout, shot).events if event.where]
+    # From the jaw across the table: where it goes from there is another matter.
+    assert met[:2] == ["bottom-side jaw", "top-right"]
 
 
 def test_a_slow_ball_hangs_on_the_shelf() -> None:
