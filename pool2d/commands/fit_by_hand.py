@@ -147,20 +147,14 @@ def _tell(plan: HandPlan, table: Table, readings: Mapping[str, Reading], found: 
             f"Measurements of one knob are {found.strain:.1f} times as far apart as their errors: repeat them."
         )
     if plan.preset is not None:
-        _keep(plan.preset, table, readings, found)
+        fitted = {each.knob: _fitted(each) for each in found.knobs}
+        write_text(plan.preset, preset_text(plan.preset.stem, table, fitted, list(_evidence(table, readings))))
+        terminal.tell(f"{plan.preset}: written; play it: pool2d play --table {plan.out}")
     return 0
 
 
-def _keep(path: Path, table: Table, readings: Mapping[str, Reading], found: HandFits) -> None:
-    fitted = {each.knob: _fitted(each) for each in found.knobs}
-    write_text(path, preset_text(path.stem, table, fitted, list(_evidence(table, readings))))
-    terminal.tell(
-        f"{path}: written; play it: pool2d play --table {path.stem if path.parent.name == 'tables' else path}"
-    )
-
-
 def _fitted(each: HandFit) -> FittedKnob:
-    return FittedKnob(each.knob, each.was, round(each.now, places(each.error)), _MOSTLY * each.error)
+    return FittedKnob(each.knob, each.was, each.now, _MOSTLY * each.error)
 
 
 def _evidence(table: Table, readings: Mapping[str, Reading]) -> Iterable[str]:

@@ -50,7 +50,7 @@ class HandFit:
     Attributes:
         knob: Its dotted name.
         was: What the table had.
-        now: What was measured.
+        now: What was measured, to the second digit of its error.
         error: The standard error of that.
         by: The names of the measurements that tell it.
     """
@@ -69,7 +69,7 @@ class HandFits:
     Attributes:
         knobs: The knobs, in the order of the measurements.
         strain: How much further than their errors allow measurements of the same knob are from each other: 1 where
-            they agree; the errors of the knobs are larger by it.
+            they agree; the error of that knob is larger by it.
     """
 
     knobs: tuple[HandFit, ...]
@@ -77,8 +77,8 @@ class HandFits:
 
     @property
     def values(self) -> dict[str, float]:
-        """The knobs by name, to no more digits than their errors leave a meaning."""
-        return {each.knob: round(each.now, places(each.error)) for each in self.knobs}
+        """The knobs by name."""
+        return {each.knob: each.now for each in self.knobs}
 
 
 def places(error: float) -> int:
@@ -223,7 +223,8 @@ class _Search:
         """A better place, what is missed there and the next damping; the same place where none is found."""
         normal = slopes.T @ slopes
         while damping < _DAMPED:
-            step = np.linalg.solve(normal + damping * np.diag(np.diag(normal) + 1e-9), -slopes.T @ missed)
+            # Where nothing shown depends on a knob, there is no step to solve for: least squares leave it as it is.
+            step = np.linalg.lstsq(normal + damping * np.diag(np.diag(normal) + 1e-9), -slopes.T @ missed)[0]
             there = np.clip(at + np.clip(step, -_STRIDE, _STRIDE), *self.ends)
             after = self.missed(there)
             if after @ after < missed @ missed:
@@ -241,14 +242,19 @@ class _Search:
 
     def _possible(self, at: Vector, which: int) -> tuple[float, float]:
         """The least and the most that a measurement can be, by the knob that it tells."""
-        knob = list(self.scales).index(self.made[which].turns)
-        places = np.linspace(self.ends[0][knob], self.ends[1][knob], _TRIED)
-        tried = [self.shown(np.where(np.arange(len(at)) == knob, place, at))[which] for place in (*places, at[knob])]
-        return min(tried), max(tried)
+        each = self.made[which]
+        scale, here = self.scales[each.turns], self.knobs(at)
+        values = [here[each.turns], *map(scale.value, np.linspace(*scale.ends, _TRIED))]
+        tables = (self._table.with_knobs({**here, each.turns: value}) for value in values)
+        tried = [self._play(each, table, {}) for table in tables]
+        shown = [one for one in tried if one < _FAR]
+        return min(shown, default=_FAR), max(shown, default=_FAR)
 
     def _told(self, each: Measurement, least: float, most: float) -> str:
         """What is possible, in words."""
         knob = self._knobs[each.turns][0]
+        if least == _FAR:
+            return f"no ball gets so far on this table, whatever {each.turns} is"
         allowed = f"allowed is {least:.3g} to {most:.3g} {each.seen.knob.unit}".rstrip()
         return f"{allowed}, which is what {each.turns} from {knob.lo:g} to {knob.hi:g} gives on this table"
 
@@ -257,10 +263,8 @@ class _Search:
         self._whiten = self._weights(at)
         missed = self.missed(at)
         strain, errors = self._strain(missed), self._errors(at, missed)
-        fits = [
-            self._fit(name, part, error * strain) for name, part, error in zip(self.scales, at, errors, strict=True)
-        ]
-        return HandFits(tuple(fits), strain)
+        parts = zip(self.scales, at, errors, strict=True)
+        return HandFits(tuple(self._fit(name, part, error, strain) for name, part, error in parts), strain)
 
     def _errors(self, at: Vector, missed: Vector) -> Vector:
         """The standard errors along the scales; all of a knob's range is as likely where nothing tells it."""
@@ -273,10 +277,10 @@ class _Search:
         spare = len(missed) - len(self.scales)
         return max(1.0, math.sqrt(float(missed @ missed) / spare)) if spare else 1.0
 
-    def _fit(self, name: str, part: float, error: float) -> HandFit:
-        scale = self.scales[name]
-        by = tuple(each.name for each in self.made if each.turns == name)
-        return HandFit(name, self.was(name), scale.value(part), scale.error(part, error), by)
+    def _fit(self, name: str, part: float, error: float, strain: float) -> HandFit:
+        scale, by = self.scales[name], tuple(each.name for each in self.made if each.turns == name)
+        off = scale.error(part, error * strain if len(by) > 1 else error)
+        return HandFit(name, self.was(name), scale.within(round(scale.value(part), places(off))), off, by)
 
 
 class _Scale:
@@ -291,7 +295,10 @@ class _Scale:
         return math.log(value) if self._log else value
 
     def value(self, place: float) -> float:
-        value = math.exp(place) if self._log else float(place)
+        return self.within(math.exp(place) if self._log else float(place))
+
+    def within(self, value: float) -> float:
+        """The value, or the nearest that the knob may have."""
         return min(max(value, self._range[0]), self._range[1])
 
     def error(self, place: float, error: float) -> float:

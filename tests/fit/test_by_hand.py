@@ -218,6 +218,31 @@ def test_a_value_has_the_digits_that_its_error_leaves_a_meaning(error: float, de
 
 
 def test_the_values_to_set_have_no_more_digits_than_that() -> None:
-    (found,) = fitted(load_table("pool-9ft"), rebound_kept=0.5667).knobs
-    values = fitted(load_table("pool-9ft"), rebound_kept=0.5667).values
-    assert values == {"cushion.restitution": round(found.now, 3)}
+    found = fitted(load_table("pool-9ft"), rebound_kept=0.5667)
+    (fit,) = found.knobs
+    assert found.values == {"cushion.restitution": fit.now}
+    assert fit.now == round(fit.now, places(fit.error))
+
+
+def test_a_contradiction_is_that_of_its_own_knob() -> None:
+    """However far apart two measurements are, the others are as sure as they were."""
+    table = load_table("pool-9ft")
+    spin = {"spin.turns": 1.2, "spin.seconds": 4.0}
+    (alone,) = fit_by_hand(table, as_readings(spin), "here").knobs
+    torn = {"rebound.kept": Reading(0.46, 1e-5), "hard.lengths": Reading(3.4, 1e-5), "hard.first": Reading(0.5, 1e-6)}
+    found = fit_by_hand(table, {**as_readings(spin), **torn}, "here")
+    assert found.strain > 2.0
+    assert next(each for each in found.knobs if each.knob == "cloth.mu_spin").error == pytest.approx(alone.error)
+
+
+def test_a_measurement_that_cannot_be_made_at_all_is_told() -> None:
+    """From cushions of lead no ball comes back."""
+    with pytest.raises(InputError, match=r"lag\.seconds = 8\.0: no ball gets so far on this table"):
+        fitted(load_table("pool-9ft", {"cushion.restitution": 0.0}), lag_seconds=8.0)
+
+
+def test_a_knob_that_nothing_shown_depends_on_stays_in_its_range() -> None:
+    """A cloth like glue, cushions of lead: one measurement of two tells nothing there, and the other is found."""
+    table = load_table("pool-9ft", {"cloth.mu_roll": 0.2, "cushion.restitution": 0.0})
+    found = fitted(table, spin_turns=14.0, spin_seconds=4.0, rebound_kept=0.011)
+    assert {each.knob: each.now for each in found.knobs}["cloth.mu_spin"] == pytest.approx(0.0124, abs=0.001)
