@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..config.files import write_text
 from ..config.knobs import Knob
 from ..errors import InputError
 from . import terminal
-from .arguments import add, to_conditions, to_file, to_number, to_overrides, to_whole
+from .arguments import add, to_conditions, to_file, to_number, to_overrides, to_size, to_whole
+
+if TYPE_CHECKING:
+    from ..table.table import Table
 
 _TABLE = "carom-10ft"
 _SHOTS = Knob(24, 1, 1000, "shots", "")
 _SEED = Knob(0, 0, 1e9, "", "")
-_NOISE = Knob(0.4, 0.0, 100.0, "mm", "")
+_NOISE = Knob(0.4, 0.01, 100.0, "mm", "")
+_ELEVATION = Knob(0.0, 0.0, 30.0, "degrees", "")
+_WORKERS = Knob(0, 1, 60, "processes", "")
 
 # What tells nothing of measurements.
 _NOT_BY_HAND = ("make", "noise", "count", "seed", "knobs", "elevation", "workers")
@@ -27,7 +32,15 @@ def register(commands: Any) -> None:
     parser = add(commands, "fit", _run, text)
     parser.add_argument("shots", nargs="?", metavar="SHOTS", help="tracked shots, .csv or .json")
     parser.add_argument("--table", metavar="NAME", help=f"the preset to start from ({_TABLE}, or what SHOTS names)")
-    parser.add_argument("--out", metavar="NAME", help="a preset of your own, or FILE.toml")
+    parser.add_argument(
+        "--knobs",
+        metavar="A,B",
+        help="fit these (those of cloth, cushions and balls that shots tell): cloth.mu_roll,ball.restitution",
+    )
+    parser.add_argument("--elevation", metavar="DEG", help="of the butt in every shot, degrees (0)")
+    parser.add_argument("--out", metavar="NAME", help="a preset of your own, or FILE.toml (SHOTS-fitted.toml)")
+    parser.add_argument("--workers", metavar="N", help="so many processes (one for each processor)")
+    parser.add_argument("--size", default="1280x720", metavar="WxH", help="of the pictures, in pixels (1280x720)")
     parser.add_argument("--noise", metavar="MM", help="how far off a ball is seen, mm (0.4)")
     parser.add_argument(
         "--by-hand", action="store_true", help="from measurements: SHOTS is their .toml, or asks for them"
@@ -44,11 +57,40 @@ def _run(arguments: argparse.Namespace) -> int:
         return _make(arguments)
     if arguments.shots is None:
         raise InputError("command line", "", None, "needed are SHOTS, a file of tracked shots, or --make FILE.csv")
-    from ..fit.track_file import read_tracks
+    return _fit(arguments)
 
-    found = read_tracks(Path(arguments.shots))
-    terminal.tell(f"{arguments.shots}: {len(found.shots)} shots, {sum(shot.points for shot in found.shots)} points")
-    return 0
+
+def _fit(arguments: argparse.Namespace) -> int:
+    """Fit knobs to tracked shots."""
+    from ..fit.usual_knobs import usual_knobs
+    from ..study.workers import processors
+    from .fit_shots import FitPlan, fit_shots
+
+    path = Path(arguments.shots)
+    table = _table(arguments, path)
+    workers = processors() if arguments.workers is None else to_whole(_WORKERS, arguments.workers, "--workers")
+    plan = FitPlan(
+        path,
+        table,
+        usual_knobs(table) if arguments.knobs is None else tuple(map(str.strip, arguments.knobs.split(","))),
+        to_number(_NOISE, arguments.noise or "0.4", "--noise") / 1000.0,
+        to_number(_ELEVATION, arguments.elevation or "0", "--elevation"),
+        str(to_file(arguments.out or str(path.with_name(f"{path.stem}-fitted.toml")), "--out")),
+        workers,
+        to_size(arguments.size),
+    )
+    return fit_shots(plan)
+
+
+def _table(arguments: argparse.Namespace, path: Path) -> Table:
+    """The table that is started from: as it is said, or as the file of the shots says."""
+    from ..fit.track_file import read_tracks
+    from ..table.preset import load_table
+
+    tracks = read_tracks(path)
+    radius = {} if tracks.radius is None else {"ball.radius": tracks.radius}
+    name = arguments.table or tracks.table or _TABLE
+    return load_table(name, {**radius, **to_overrides(arguments.set)}, to_conditions(arguments))
 
 
 def _by_hand(arguments: argparse.Namespace) -> int:

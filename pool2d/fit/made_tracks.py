@@ -22,29 +22,31 @@ from .tracks import Track, TrackedShot
 
 # Pictures a second, how far off a ball is seen, m, and how long it is watched before the strike, s.
 RATE, NOISE, _BEFORE = 50.0, 0.0004, 0.4
-# A shot is watched for so long, s.
-_LONGEST = 10.0
+# A shot is watched for so long after the strike, s.
+LONGEST = 10.0
 # How many balls lie on the table, and how fast a cue is, m/s.
 _BALLS, _SLOWEST, _FASTEST = 3, 1.5, 4.5
 # How far from the ball's centre the tip strikes, and how far beside the middle of another ball is aimed, in radii.
 _ENGLISH, _BESIDE = 0.4, 1.6
 
 
-def make_shots(table: Table, count: int, seed: int, noise: float = NOISE, rate: float = RATE) -> Iterator[TrackedShot]:
+def make_shots(
+    table: Table, count: int, seed: int, noise: float = NOISE, longest: float = LONGEST
+) -> Iterator[TrackedShot]:
     """So many shots, drawn from `seed`: balls at random places, one of them sent at another with random english."""
     rng = random.Random(seed)
     for number in range(1, count + 1):
         layout = _layout(table, rng)
         rollout = simulate(table, layout, _shot(layout, table, rng))
-        yield watched(str(number), rollout, rng.randrange(1 << 31), noise, rate)
+        yield watched(str(number), rollout, rng.randrange(1 << 31), noise, longest)
 
 
-def watched(name: str, rollout: Rollout, seed: int, noise: float = NOISE, rate: float = RATE) -> TrackedShot:
+def watched(name: str, rollout: Rollout, seed: int, noise: float = NOISE, longest: float = LONGEST) -> TrackedShot:
     """A shot as a camera sees it that began a little before, at a moment of its own; `noise` in m."""
     rng = np.random.default_rng(seed)
-    struck = _BEFORE + rng.uniform(0.0, 1.0 / rate)
-    count = math.ceil((struck + min(rollout.duration, _LONGEST)) * rate) + 1
-    times = np.arange(count) / rate
+    struck = _BEFORE + rng.uniform(0.0, 1.0 / RATE)
+    count = math.ceil((struck + min(rollout.duration, longest)) * RATE) + 1
+    times = np.arange(count) / RATE
     tracks = {}
     for ball in rollout.start:
         seen = [rollout.ball_at(ball, max(0.0, t - struck)) for t in times.tolist()]
