@@ -33,7 +33,6 @@ RUBBER: Final = 1.05e5
 STEPS: Final = 60
 # A cushion that has relaxed to this part of its greatest force, and is being left, lets go.
 _SPENT: Final = 1e-9
-_NOTHING: Final = (0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class Spring:
@@ -162,7 +161,7 @@ class NoseSpring(Spring):
         self.stiffness = RUBBER / ball.mass
         self.deepest = 0.0
         self.power = 0.0
-        self.change = _NOTHING
+        self.change = (0.0, 0.0, 0.0, 0.0, 0.0)
         self.turned = 0.0
         self.push = 0.0
 
@@ -199,7 +198,7 @@ class NoseSpring(Spring):
         self.turned = self.push = 0.0
         if push == 0.0 or self.nose.tangential == 0.0:
             return False
-        self.change = sprung_back(_NOTHING, turned, push, self.nose)
+        self.change = sprung_back((0.0, 0.0, 0.0, 0.0, 0.0), turned, push, self.nose)
         return True
 
     def _force(self, depth: float) -> float:
