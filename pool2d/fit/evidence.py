@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+import numpy.typing as npt
 
 from ..table.table import Table
 from .tracks import Floats, Track, TrackedShot
@@ -62,10 +63,14 @@ def evidence(shot: TrackedShot, table: Table, noise: float) -> Evidence | None:
 
 def _departure(track: Track, noise: float) -> int:
     """The number of the first point at which a ball has left its place, as the next confirms; as many as there are."""
-    reach = max(_AWAY, _AWAY_NOISES * noise)
-    away = np.hypot(track.x - np.median(track.x[:_FIRST]), track.y - np.median(track.y[:_FIRST])) > reach
-    surely = away & np.append(away[1:], away[-1:])
-    return int(np.argmax(surely)) if surely.any() else len(track)
+    gone = np.hypot(track.x - np.median(track.x[:_FIRST]), track.y - np.median(track.y[:_FIRST]))
+    away = gone > max(_AWAY, _AWAY_NOISES * noise)
+    return _first(away & np.append(away[1:], away[-1:]))
+
+
+def _first(flags: npt.NDArray[np.bool_]) -> int:
+    """The number of the first that is so; as many as there are where none is."""
+    return int(np.argmax(flags)) if flags.any() else len(flags)
 
 
 def _time(shot: TrackedShot, ball: str, left: Mapping[str, int]) -> float:

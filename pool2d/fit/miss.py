@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -88,11 +89,9 @@ def standing(table: Table, layout: Layout) -> Layout:
 
 def stands(table: Table, seen: Evidence) -> bool:
     """Whether balls can stand where they were seen before the strike, or a little beside."""
-    try:
-        standing(table, Layout(Ball(ball, x, y) for ball, (x, y) in seen.places.items()))
-    except InputError:
-        return False
-    return True
+    with suppress(InputError):
+        return bool(standing(table, Layout(Ball(ball, x, y) for ball, (x, y) in seen.places.items())))
+    return False
 
 
 def _parted(table: Table, layout: Layout) -> Layout:

@@ -59,7 +59,7 @@ class Fitted:
     @property
     def size(self) -> float:
         """The root mean square of the misses, m, along each axis."""
-        return float(np.sqrt(np.mean(self.misses**2)))
+        return rms(self.misses)
 
 
 @lru_cache(maxsize=64)
@@ -77,6 +77,11 @@ def setting_of(table: Table, values: Mapping[str, float]) -> Setting:
 def clipped_cost(missed: Floats, clip: float) -> float:
     """What misses cost: half their squares, m2, but for those beyond `clip` m, which count by their size alone."""
     return float(np.sum(clip**2 * (np.hypot(1.0, missed / clip) - 1.0)))
+
+
+def rms(missed: Floats) -> float:
+    """The root of the mean square."""
+    return float(np.sqrt(np.mean(missed**2)))
 
 
 def weights(missed: Floats, clip: float) -> Floats:
@@ -100,10 +105,9 @@ def refine(setting: Setting, stretch: Stretch, numbers: Floats, clip: float, tri
 
 def approached(setting: Setting, stretch: Stretch, numbers: Floats, clip: float) -> Fitted:
     """As `refine`, from numbers that may be far off: at first with a clip that leaves most misses alone."""
-    size = float(np.sqrt(np.mean(misses(table_of(setting), stretch, numbers) ** 2)))
-    if CLIP * size > clip:
-        numbers = refine(setting, stretch, numbers, max(COARSE, CLIP * size)).numbers
-    return refine(setting, stretch, numbers, clip)
+    usual = CLIP * rms(misses(table_of(setting), stretch, numbers))
+    begun = refine(setting, stretch, numbers, max(COARSE, usual)).numbers if usual > clip else numbers
+    return refine(setting, stretch, begun, clip)
 
 
 def launched(setting: Setting, stretch: Stretch, clip: float) -> Fitted:

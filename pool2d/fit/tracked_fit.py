@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from importlib import import_module
 
 import numpy as np
 
@@ -103,11 +105,9 @@ def tasks(shots: int) -> int:
 
 def has_optimiser() -> bool:
     """Whether scipy is there, which an optional extra brings."""
-    try:
-        import scipy  # noqa: F401
-    except ImportError:
-        return False
-    return True
+    with suppress(ImportError):
+        return bool(import_module("scipy"))
+    return False
 
 
 def check_knobs(names: Sequence[str], source: str, key: str) -> None:

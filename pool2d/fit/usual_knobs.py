@@ -21,6 +21,5 @@ def usual_knobs(table: Table) -> tuple[str, ...]:
 def _rubbing(law: str) -> tuple[str, ...]:
     """The knobs of friction between balls that a law reads."""
     level, falling = Friction(1.0), Friction(2.0)
-    read = BALL_LAWS[law].friction(level, falling)
     known = {level.a: ("ball.friction",), falling.a: tuple(f"ball.friction_{part}" for part in "abc")}
-    return known.get(read.a, ())
+    return known.get(BALL_LAWS[law].friction(level, falling).a, ())
