@@ -26,7 +26,6 @@ from .shot_fit import (
     knob_slopes,
     knobs,
     launched,
-    refine,
     width_of,
 )
 from .tracks import Floats
@@ -35,8 +34,8 @@ from .tracks import Floats
 STAGES = (*((seconds, 8) for seconds in HORIZONS), (math.inf, 8), (math.inf, 15))
 # Below this part of its width no knob is turned any more.
 _LEAST = 1e-4
-# A shot that misses so many times what shots usually do is looked for anew; one that then misses as much sits out.
-_POOR = 4.0
+# A shot that misses so many times what shots usually do is looked for anew; one that then misses more sits out.
+_AGAIN, _POOR = 1.5, 4.0
 
 
 def usual_miss(fitted: Sequence[Fitted], noise: float) -> float:
@@ -73,7 +72,7 @@ class KnobFit:
         clip = CLIP * self.usual
         jobs = [(self.setting, stretch, one.numbers, clip) for stretch, one in zip(stretches, self.fitted, strict=True)]
         self.fitted = self._crew.each(approached, jobs)
-        poor = [number for number, one in enumerate(self.fitted) if one.size > _POOR * self.usual]
+        poor = [number for number, one in enumerate(self.fitted) if one.size > _AGAIN * self.usual]
         again = self._crew.each(launched, [(self.setting, stretches[number], COARSE) for number in poor])
         for number, one in zip(poor, again, strict=True):
             self.fitted[number] = min(self.fitted[number], one, key=lambda one: one.size)
@@ -135,7 +134,7 @@ class _Stage:
         if not np.array_equal(x, self._tried.x):
             setting, begun = self._setting(x), self._foreseen(x)
             jobs = [(setting, stretch, row, self._clip) for stretch, row in zip(self._views, begun, strict=True)]
-            self._tried = _Try(x.copy(), self._crew.each(refine, jobs))
+            self._tried = _Try(x.copy(), self._crew.each(approached, jobs))
         return np.concatenate([one.misses for one in self._tried.fitted])
 
     def _foreseen(self, x: Floats) -> list[Floats]:

@@ -106,7 +106,7 @@ def refine(setting: Setting, stretch: Stretch, numbers: Floats, clip: float, tri
 def approached(setting: Setting, stretch: Stretch, numbers: Floats, clip: float) -> Fitted:
     """As `refine`, from numbers that may be far off: at first with a clip that leaves most misses alone."""
     usual = CLIP * rms(misses(table_of(setting), stretch, numbers))
-    begun = refine(setting, stretch, numbers, max(COARSE, usual)).numbers if usual > clip else numbers
+    begun = refine(setting, stretch, numbers, max(COARSE, usual)).numbers if usual > 2.0 * clip else numbers
     return refine(setting, stretch, begun, clip)
 
 

@@ -100,7 +100,7 @@ def errors(fitted: Sequence[Fitted]) -> Errors:
 def tasks(shots: int) -> int:
     """How often a crew fits a shot at most, for a bar."""
     half, back = (shots + 1) // 2, shots // 2
-    return shots + half * (4 + sum(2 * rounds + 1 for _, rounds in STAGES)) + back * (len(STAGES) - 1)
+    return shots + half * (4 + sum(2 * rounds + 2 for _, rounds in STAGES)) + back * 2 * (len(STAGES) - 1)
 
 
 def has_optimiser() -> bool:
