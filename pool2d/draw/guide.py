@@ -168,7 +168,7 @@ def draw_whole(
     The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own.
     """
     scale = _scale(view)
-    struck = next((event.balls for event in rollout.events if event.kind == "cue_ball"), ())
+    struck = next((event.balls[:1] for event in rollout.events if event.kind == "cue_ball"), ())
     moved = [ball for ball in rollout.layout().values() if len(rollout.tracks.get(ball.id, ())) > 1]
     colors = [cue if ball.id in struck else others or _own(ball_art.look_of(table, ball.id), style) for ball in moved]
     ways = [trace(rollout, ball.id, within=fineness(view)) for ball in moved]

@@ -24,6 +24,7 @@ from .energy import take_back
 from .laws.rebound import rebound
 from .materials import Materials
 from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, pace
+from .strike import TipSpring
 
 # An impact of balls is over long before this many times the duration of one; a guard, not a limit that is met.
 _LONGEST: Final = 400
@@ -94,10 +95,12 @@ def facing(ball: Body, elements: Sequence[Element], reach: float, room: float) -
     return [(element, max(0.0, gap)) for place, (element, gap, _) in enumerate(across) if not hidden(place)]
 
 
-def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSpring], list[NoseSpring]]:
+def solve(
+    group: Group, speed: float, materials: Materials, tip: TipSpring | None = None
+) -> tuple[list[BallSpring], list[NoseSpring]]:
     """Let the impact of a group run its course; the contacts that took part, the balls changed.
 
-    `speed` is that of the approach that set it off, m/s.
+    `speed` is that of the approach that set it off, m/s; a `tip` may be what drives it.
     """
     # As two balls alone part at that speed; in thousandths, of which none has to be worked out twice.
     loss = damping(round(rebound(speed, materials.ball.restitution) / speed, 3))
@@ -107,6 +110,10 @@ def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSp
         for ball, element, gap in group.noses
     ]
     springs: list[Spring] = [*pairs, *noses]
+    driven = 0.0
+    if tip is not None:
+        springs.append(tip)
+        driven = tip.energy()
     before = {ball.index: ball.energy() for spring in springs for ball in spring.balls}
     steps = [spring.step for spring in springs]
     shortest, longest = min(steps), max(steps)
@@ -127,7 +134,10 @@ def solve(group: Group, speed: float, materials: Materials) -> tuple[list[BallSp
         if noses:
             _unjam(springs)
     met = {ball.index: ball for spring in springs if spring.met for ball in spring.balls}
-    take_back(list(met.values()), math.fsum([before[index] for index in met]), any(nose.met for nose in noses))
+    if tip is not None:
+        driven -= tip.energy()
+    anchored = tip is not None or any(nose.met for nose in noses)
+    take_back(list(met.values()), driven + math.fsum([before[index] for index in met]), anchored)
     return [pair for pair in pairs if pair.met], [nose for nose in noses if nose.met]
 
 

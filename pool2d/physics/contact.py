@@ -14,6 +14,7 @@ from .motion import Motion
 from .pressing import Side, press
 from .roots import INF
 from .springs import depth, yielding
+from .strike import TipImpulse, TipSpring
 
 Pair = tuple[Body, Body]
 Touch = tuple[Body, str]
@@ -82,6 +83,28 @@ class Contacts:
                 return met
             self.materials.ball_law.collide(a, b, self.materials.ball)
         return Met([(a, b)], [], pressed)
+
+    def struck(self, ball: Body, stroke: TipImpulse) -> Met:
+        """A stroke has sent a ball on its way: where another is in it already, with the tip they are one contact.
+
+        Else nothing is met, and nothing changes: what the ball meets later it meets without the tip.
+        """
+        speed = math.hypot(ball.vx, ball.vy)
+        room = depth(ball, ball, speed)
+        if speed <= NOISE or not linked([ball], self.crowd, room, 0.0):
+            return Met([], [], [])
+        group = self._group([ball], room, yielding(ball, speed), 0.0)
+        before = [(body, body.velocity()) for body in [ball, *group.balls()]]
+        tip = TipSpring(ball, stroke)
+        ball.set_velocity((0.0, 0.0, 0.0, 0.0, 0.0))
+        pairs, noses = solve(group, speed, self.materials, tip)
+        if not any(ball in pair.balls for pair in pairs):
+            for body, velocity in before:
+                body.set_velocity(velocity)
+            return Met([], [], [])
+        met = [(pair.a, pair.b) for pair in pairs]
+        met.sort(key=lambda pair: ball not in pair)
+        return Met(met, [(nose.ball, nose.name) for nose in noses], [])
 
     def _group(self, first: list[Body], room: float, yielding: float, now: float) -> Group:
         """What the first balls touch, or reach while the impact lasts: `room` away, or a cushion `yielding` away."""

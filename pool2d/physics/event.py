@@ -15,7 +15,7 @@ class Event:
     Attributes:
         t: When, s after the shot.
         kind: What, as in `simulate --json`.
-        balls: The ids of the balls that it concerns.
+        balls: The ids of the balls that it concerns; of a stroke the struck one first.
         where: The cushion, jaw or pocket, or all of them for a cluster; "miscue" for a tip that slipped.
         pairs: The balls that touched each other, the pair that set it off first.
         rails: Pairs of a ball and the cushion that it touched.

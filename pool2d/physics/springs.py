@@ -31,7 +31,7 @@ RADIUS: Final = 0.028575
 RUBBER: Final = 1.05e5
 # Steps in the duration of one impact at the speed of approach.
 STEPS: Final = 60
-# A cushion that has relaxed to this part of its greatest force, and is being left, lets go.
+# A spring that has relaxed to this part of its greatest force, and is being left, lets go.
 _SPENT: Final = 1e-9
 
 
@@ -137,30 +137,57 @@ class BallSpring(Spring):
         self.fx, self.fy, self.fz = rub * sx, rub * sy, rub * sz
 
 
-@final
-class NoseSpring(Spring):
-    """A ball in a cushion: a linear spring in plan that gives back e^2 of the work it took, with friction.
+class SoftSpring(Spring):
+    """A linear spring that gives back e^2 of the work it took: rubber, or leather.
 
     On the way out it follows k D (d/D)^q from its greatest depth D, with q = 2/e^2 - 1 for that part of
-    the work, and whatever the speed: so a ball alone comes off as `mathavan2010` has it. When it lets go it springs
-    back along the rail, after what it has `turned` the ball with a `push`. `share` is how
+    the work, and whatever the speed. `stiffness` is per mass, 1/s^2.
+    """
+
+    __slots__ = ("stiffness", "restitution", "deepest", "power")
+
+    def __init__(self, balls: tuple[Body, ...], gap: float, step: float, stiffness: float, restitution: float) -> None:
+        super().__init__(balls, gap, step)
+        self.stiffness = stiffness
+        self.restitution = restitution
+        self.deepest = 0.0
+        self.power = 0.0
+
+    def force(self, depth: float) -> float:
+        """Per mass, m/s^2, at a depth that has been come to."""
+        if depth >= self.deepest:
+            self.deepest = depth
+            self.power = 0.0
+            return self.stiffness * depth
+        if self.power == 0.0:
+            speed = self.deepest * math.sqrt(self.stiffness)
+            part = speed / rebound(speed, self.restitution)
+            self.power = 2.0 * (part * part) - 1.0
+        return self.stiffness * self.deepest * math.pow(depth / self.deepest, self.power)
+
+    def spent(self, force: float) -> bool:
+        """Whether a spring that is being left has relaxed, and lets go."""
+        return force < _SPENT * self.stiffness * self.deepest
+
+
+@final
+class NoseSpring(SoftSpring):
+    """A ball in a cushion: soft in plan, with friction. A ball alone comes off as `mathavan2010` has it.
+
+    When it lets go it springs back along the rail, after what it has `turned` the ball with a `push`. `share` is how
     many cushions the ball is in, which together must not hold it by more than one would.
     """
 
-    __slots__ = (
-        "ball", "nx", "ny", "name", "share", "nose", "stiffness", "deepest", "power", "change", "turned", "push",
-    )  # fmt: skip
+    __slots__ = ("ball", "nx", "ny", "name", "share", "nose", "change", "turned", "push")
 
     def __init__(self, ball: Body, element: Element, gap: float, share: int, materials: Materials) -> None:
-        super().__init__((ball,), gap, stay(ball) / STEPS)
+        nose = materials.cushion_law.nose(ball.radius, materials.of(element))
+        super().__init__((ball,), gap, stay(ball) / STEPS, RUBBER / ball.mass, nose.restitution)
         self.ball = ball
         self.nx, self.ny = element.normal(ball.x, ball.y)
         self.name = element.name
         self.share = share
-        self.nose: Nose = materials.cushion_law.nose(ball.radius, materials.of(element))
-        self.stiffness = RUBBER / ball.mass
-        self.deepest = 0.0
-        self.power = 0.0
+        self.nose: Nose = nose
         self.change = (0.0, 0.0, 0.0, 0.0, 0.0)
         self.turned = 0.0
         self.push = 0.0
@@ -179,8 +206,8 @@ class NoseSpring(Spring):
         if d <= 0.0:
             return self._let_go()
         self.met = self.met or d > TOUCH
-        force = self._force(d)
-        if state[1] < 0.0 and force < _SPENT * self.stiffness * self.deepest:
+        force = self.force(d)
+        if state[1] < 0.0 and self.spent(force):
             self.depth = 0.0
             return self._let_go()
         # The nose stands above the centre: what it gives in plan is less than what it presses with.
@@ -200,18 +227,6 @@ class NoseSpring(Spring):
             return False
         self.change = sprung_back((0.0, 0.0, 0.0, 0.0, 0.0), turned, push, self.nose)
         return True
-
-    def _force(self, depth: float) -> float:
-        """In plan and per mass."""
-        if depth >= self.deepest:
-            self.deepest = depth
-            self.power = 0.0
-            return self.stiffness * depth
-        if self.power == 0.0:
-            speed = self.deepest * math.sqrt(self.stiffness)
-            part = speed / rebound(speed, self.nose.restitution)
-            self.power = 2.0 * (part * part) - 1.0
-        return self.stiffness * self.deepest * math.pow(depth / self.deepest, self.power)
 
     def act(self) -> None:
         ball, nx, ny = self.ball, self.nx, self.ny

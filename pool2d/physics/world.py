@@ -71,8 +71,11 @@ class World:
         if body is None:
             raise InputError("shot", "shot.ball", shot.ball, "not a ball on the table")
         if shot.speed > 0.0:
-            clean = strike(body, shot, self.physics.cue)
-            self.record("cue_ball", None if clean else MISCUE, [body])
+            stroke = strike(body, shot, self.physics.cue)
+            met = self.contacts.struck(body, stroke)
+            others = [other for other in met.bodies() if other.index != body.index]
+            pairs, rails, where = _names(met)
+            self.record("cue_ball", where if stroke.clean else MISCUE, [body, *others], None, pairs, rails)
 
     def run(self, limit: int, until: Callable[[Event], bool] | None) -> bool:
         """Go on to rest, for `limit` events, or to the first that `until` says True of; whether that was the end."""
@@ -130,15 +133,9 @@ class World:
         """Note a contact, or several that were one."""
         for motion in met.pressed:
             self.follow(motion)
-        pairs = tuple([(a.id, b.id) for a, b in met.pairs])
-        rails = tuple([(body.id, name) for body, name in met.rails])
-        if len(pairs) + len(rails) > 1:
-            where = ", ".join(dict.fromkeys([name for _, name in rails])) or None
-            self.record("cluster", where, met.bodies(), None, pairs, rails)
-        elif pairs:
-            self.record("ball_ball", None, met.bodies(), None, pairs)
-        else:
-            self.record("ball_cushion", rails[0][1], met.bodies(), None, (), rails)
+        pairs, rails, where = _names(met)
+        kind: EventKind = "cluster" if len(pairs) + len(rails) > 1 else "ball_ball" if pairs else "ball_cushion"
+        self.record(kind, where, met.bodies(), None, pairs, rails)
 
     def record(
         self,
@@ -213,3 +210,10 @@ class World:
                 if t < motion.end:
                     motion.end, own = t, -2 - index
         heappush(self.queue, (motion.end, motion.index, own, self.version[motion.index], 0))
+
+
+def _names(met: Met) -> tuple[tuple[tuple[str, str], ...], tuple[tuple[str, str], ...], str | None]:
+    """Which balls touched each other, which touched which cushions, and where, as an event has it."""
+    pairs = tuple([(a.id, b.id) for a, b in met.pairs])
+    rails = tuple([(body.id, name) for body, name in met.rails])
+    return pairs, rails, ", ".join(dict.fromkeys([name for _, name in rails])) or None

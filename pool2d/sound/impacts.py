@@ -40,11 +40,12 @@ def impacts(rollout: Rollout, t0: float, t1: float) -> list[Impact]:
 
 
 def _sounds(event: Event) -> list[Impact]:
-    if event.pairs or event.rails:
-        return [*_balls(event), *_cushions(event)]
     if event.kind == "cue_ball":
         ball = event.after[event.balls[0]]
-        return [Impact("miscue" if event.where == MISCUE else "cue", math.hypot(ball.vx, ball.vy), ball.x)]
+        tip = Impact("miscue" if event.where == MISCUE else "cue", math.hypot(ball.vx, ball.vy), ball.x)
+        return [tip, *_balls(event), *_cushions(event)]
+    if event.pairs or event.rails:
+        return [*_balls(event), *_cushions(event)]
     if event.kind == "ball_pocket":
         ball = event.before[event.balls[0]]
         return [Impact("drop", math.hypot(ball.vx, ball.vy, _FALL), ball.x), Impact("back", 1.0, ball.x)]

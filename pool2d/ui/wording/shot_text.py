@@ -21,7 +21,8 @@ def title(words: Words, event: Event, cue: str) -> str:
     balls = [ball_name(words, ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
     where, every = place_name(words, event.where or ""), ", ".join(balls)
     spins = event.kind == "rolling_resting" and any(ball.wz for ball in event.after.values())
-    kind = "spins_on" if spins else event.kind
+    through = event.kind == "cue_ball" and event.pairs
+    kind = "spins_on" if spins else "cue_ball_through" if through else event.kind
     return begun(words.say(f"event.{kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
 
 
