@@ -46,6 +46,7 @@ def test_copy_and_paste_give_the_same_position_and_aim(two: Hand, copied: list[s
     two.key(pygame.K_n)
     two.key(pygame.K_BACKSPACE)
     two.key(pygame.K_v, CTRL)
+    assert two.play.state.messages.text == "The position is set up."
     assert two.play.state.session.layout == Layout([CUE, ONE])
     assert two.play.state.hands.aim == aim
 
