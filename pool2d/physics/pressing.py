@@ -7,7 +7,7 @@ solved, and then moves without friction until the moment is over. The friction's
 moment early. Between two portions the ball hops off what it leans on, by no more than eight times the way on
 which a moment's friction takes a ball from rest: 0.03 mm, or, for a ball that would slide on for more than 64
 moments, 0.2 % of the way on which it would slide. (Moreau's time stepping, for these contacts alone; a pair
-driven by spin goes a way that is 4 to 6 % too long, see the tests.)
+driven by spin goes a way that is 4 to 8 % too long, see the tests.)
 """
 
 from __future__ import annotations

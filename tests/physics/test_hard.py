@@ -58,10 +58,13 @@ def pushed(table: Table, spin: float) -> Rollout:
     return simulate(table, Layout([Ball("a", 0.5, 0.9, wy=spin), Ball("b", 0.5 + 2.0 * radius, 0.9)]))
 
 
+# The less balls give back, the further they go too far.
+@pytest.mark.parametrize(("restitution", "off"), [(0.95, 0.06), (0.89, 0.075)])
 @pytest.mark.parametrize("spin", [20.0, 100.0, 400.0])
-def test_a_ball_that_pushes_another_goes_as_far_as_it_should(spin: float) -> None:
+def test_a_ball_that_pushes_another_goes_as_far_as_it_should(spin: float, restitution: float, off: float) -> None:
     """Both go at 5/12 mu g while the first slides and the second rolls, so the slip falls at 35/12 mu g."""
-    table = load_table("snooker-12ft", {"ball.law": "frictionless", "cloth.mu_roll": 0.001})
+    settings = {"ball.law": "frictionless", "ball.restitution": restitution, "cloth.mu_roll": 0.001}
+    table = load_table("snooker-12ft", settings)
     drive = table.knobs.cloth.mu_slide * table.knobs.gravity
     end = table.knobs.ball.radius * spin / (35.0 / 12.0 * drive)
     way, speed = 5.0 / 24.0 * drive * end * end, 5.0 / 12.0 * drive * end
@@ -70,7 +73,7 @@ def test_a_ball_that_pushes_another_goes_as_far_as_it_should(spin: float) -> Non
     radius = table.knobs.ball.radius
     assert after["a"].x - 0.5 == pytest.approx(way, rel=0.08)
     assert after["b"].x - 0.5 - 2.0 * radius == pytest.approx(way, rel=0.08)
-    assert 0.5 * (after["a"].vx + after["b"].vx) == pytest.approx(speed, rel=0.06)
+    assert 0.5 * (after["a"].vx + after["b"].vx) == pytest.approx(speed, rel=off)
     for i in range(200):
         balls = roll.at(end * i / 200)
         assert balls["b"].x - balls["a"].x - 2.0 * radius < max(5e-5, 0.003 * way)
