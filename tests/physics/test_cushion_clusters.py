@@ -28,7 +28,7 @@ PITCH, LOW = 2.0 * RADIUS, TABLE.reach(RADIUS)
 
 def cluster(roll: Rollout) -> Event:
     """The first event of several contacts."""
-    return next(event for event in roll.events if event.kind == "cluster")
+    return next(event for event in roll.events if len(event.pairs) + len(event.rails) > 1)
 
 
 def played(*balls: Ball, shot: Shot, table: Table = TABLE, most: int = 60) -> Rollout:
@@ -67,10 +67,11 @@ def test_ball_on_a_rail_cut_thinly_runs_along_it() -> None:
 @pytest.mark.parametrize("height", [-0.4, 0.0, 0.4])
 def test_three_squeezed_against_a_rail(height: float) -> None:
     balls = [Ball("cue", 0.8, LOW + 2.0 * PITCH), Ball("1", 0.8, LOW + PITCH), Ball("2", 0.8, LOW)]
-    roll = played(*balls, shot=Shot(angle=-90.0, speed=4.0, height=height))
-    assert cluster(roll).t < 1e-6
+    roll = played(*balls, shot=Shot(angle=-90.0, speed=4.0, height=height), most=100)
+    assert cluster(roll) is roll.events[0]
     back = max(event.after["cue"].vy for event in roll.events if "cue" in event.balls)
-    assert back > 2.0
+    # The tip is still there when they come back, and takes a part of it.
+    assert 0.4 < back < 2.0
     assert all(abs(x - 0.8) < 1e-9 for ball in ("cue", "1", "2") for _, x, _ in roll.path(ball, 0.01))
 
 
