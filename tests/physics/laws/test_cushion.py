@@ -27,7 +27,9 @@ def rebound(table: Table, speed: float, from_normal: float, wx: float = 0.0, wy:
 
 
 def table(e: float = 0.85, mu: float = 0.14) -> Table:
-    return load_table("pool-9ft", {"cushion.restitution": e, "cushion.friction": mu, "cushion.law": "impulse"})
+    as_cushions = {"facing.restitution": 1.0, "facing.friction": 1.0, "facing.tangential": 0.0}
+    cushion = {"cushion.restitution": e, "cushion.friction": mu, "cushion.law": "impulse"}
+    return load_table("pool-9ft", cushion | as_cushions)
 
 
 @pytest.mark.parametrize(("before", "after"), [(30.0, 35.8175), (60.0, 65.2087), (0.0, 0.0)])
