@@ -85,7 +85,7 @@ class Contacts:
         return Met([(a, b)], [], pressed)
 
     def struck(self, ball: Body, stroke: TipImpulse) -> Met:
-        """A stroke has sent a ball on its way: where another is in it already, with the tip they are one contact.
+        """A stroke has sent a ball on its way: where another rests in it, with the tip they are one contact.
 
         Else nothing is met, and nothing changes: what the ball meets later it meets without the tip.
         """
@@ -94,6 +94,8 @@ class Contacts:
         if speed <= NOISE or not linked([ball], self.crowd, room, 0.0):
             return Met([], [], [])
         group = self._group([ball], room, yielding(ball, speed), 0.0)
+        if any(body.index != ball.index and math.hypot(body.vx, body.vy) > 0.0 for body in group.balls()):
+            return Met([], [], [])
         before = [(body, body.velocity()) for body in [ball, *group.balls()]]
         tip = TipSpring(ball, stroke)
         ball.set_velocity((0.0, 0.0, 0.0, 0.0, 0.0))

@@ -13,7 +13,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Final, final
 
 from .detect import TOUCH
-from .laws.nose import along_nose, rate, sprung_back
+from .laws.nose import State, along_nose, drag, dragged, rate, slip_along, springing_back
 from .laws.pair import normal, push, slip
 from .laws.rebound import rebound
 
@@ -161,7 +161,8 @@ class SoftSpring(Spring):
             return self.stiffness * depth
         if self.power == 0.0:
             speed = self.deepest * math.sqrt(self.stiffness)
-            part = speed / rebound(speed, self.restitution)
+            # What is too slow for a number comes back as it came.
+            part = speed / rebound(speed, self.restitution) if speed > 0.0 else 1.0
             self.power = 2.0 * (part * part) - 1.0
         return self.stiffness * self.deepest * math.pow(depth / self.deepest, self.power)
 
@@ -174,11 +175,12 @@ class SoftSpring(Spring):
 class NoseSpring(SoftSpring):
     """A ball in a cushion: soft in plan, with friction. A ball alone comes off as `mathavan2010` has it.
 
-    When it lets go it springs back along the rail, after what it has `turned` the ball with a `push`. `share` is how
-    many cushions the ball is in, which together must not hold it by more than one would.
+    When it lets go it springs back along the rail, after its friction's impulse `along` the rail with a `push`; but it
+    gives no more than the `work` that this friction has taken, for other contacts may have driven the ball against it.
+    `share` is how many cushions the ball is in, which together must not hold it by more than one would.
     """
 
-    __slots__ = ("ball", "nx", "ny", "name", "share", "nose", "change", "turned", "push")
+    __slots__ = ("ball", "nx", "ny", "name", "share", "nose", "change", "along", "push", "work")
 
     def __init__(self, ball: Body, element: Element, gap: float, share: int, materials: Materials) -> None:
         nose = materials.cushion_law.nose(ball.radius, materials.of(element))
@@ -189,8 +191,7 @@ class NoseSpring(SoftSpring):
         self.share = share
         self.nose: Nose = nose
         self.change = (0.0, 0.0, 0.0, 0.0, 0.0)
-        self.turned = 0.0
-        self.push = 0.0
+        self.along = self.push = self.work = 0.0
 
     def closing(self) -> float:
         return self.ball.vx * self.nx + self.ball.vy * self.ny
@@ -204,29 +205,32 @@ class NoseSpring(SoftSpring):
         state = along_nose(ball, self.nx, self.ny)
         self.depth = d = self.depth + state[1] * dt
         if d <= 0.0:
-            return self._let_go()
+            return self._let_go(state)
         self.met = self.met or d > TOUCH
         force = self.force(d)
         if state[1] < 0.0 and self.spent(force):
             self.depth = 0.0
-            return self._let_go()
+            return self._let_go(state)
         # The nose stands above the centre: what it gives in plan is less than what it presses with.
         step = force * dt / self.nose.cos
         dvx, dvy, dqx, dqy, dqz = rate(state, self.nose, self.share * step)
         self.change = step * dvx, step * dvy, step * dqx, step * dqy, step * dqz
-        self.turned += step * dqz
-        self.push += step
+        if self.nose.tangential > 0.0:
+            fx = drag(step * dqz, self.nose)
+            self.along += fx
+            self.push += step
+            self.work -= fx * (slip_along(state, self.nose) + 1.75 * fx)
         return True
 
-    def _let_go(self) -> bool:
+    def _let_go(self, state: State) -> bool:
         """Open again; whether the rubber gives the ball something yet, as `press` has it."""
         self.deepest = 0.0
-        turned, push = self.turned, self.push
-        self.turned = self.push = 0.0
-        if push == 0.0 or self.nose.tangential == 0.0:
-            return False
-        self.change = sprung_back((0.0, 0.0, 0.0, 0.0, 0.0), turned, push, self.nose)
-        return True
+        fx = springing_back(self.along, self.push, self.nose)
+        onward = slip_along(state, self.nose) if fx > 0.0 else -slip_along(state, self.nose)
+        most = (math.sqrt(onward * onward + 7.0 * max(0.0, self.work)) - onward) / 3.5
+        self.along = self.push = self.work = 0.0
+        self.change = dragged((0.0, 0.0, 0.0, 0.0, 0.0), math.copysign(min(abs(fx), most), fx), self.nose)
+        return fx != 0.0
 
     def act(self) -> None:
         ball, nx, ny = self.ball, self.nx, self.ny

@@ -93,6 +93,13 @@ def test_the_spring_of_the_tip_strikes_a_ball_alone_as_the_stroke_does(shot: Sho
     assert two.velocity() == pytest.approx(one.velocity(), rel=5e-3, abs=1e-9)
 
 
+def test_with_a_ball_that_moves_it_is_two_contacts() -> None:
+    """The steps are those of the stroke's speed: a soft stroke once met a ball at 40 m/s, and the springs burst."""
+    moving = FROZEN.put(Ball("2", 0.9 + 4.0 * RADIUS, 0.6, vx=-40.0))
+    event = stroke(Shot(0.0, 1e-6), moving)
+    assert (event.balls, event.pairs) == (("cue",), ())
+
+
 def test_what_touches_the_other_goes_off_too() -> None:
     row = [Ball("cue", 0.9, 0.6), *(Ball(str(i), 0.9 + 2.0 * i * RADIUS, 0.6) for i in (1, 2))]
     event = stroke(Shot(0.0, 3.0), Layout(row))

@@ -36,14 +36,14 @@ def own(tmp_path: Path) -> Iterator[Own]:
 
 def test_a_saved_preset_changes_the_table_and_a_broken_one_does_not(own: Own) -> None:
     app, preset, good = own
-    preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
+    preset.write_text(good.replace("mu_roll = 0.01 ", "mu_roll = 0.02 "))
     app.step(1.0)
     assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
-    preset.write_text(good + "\n[cloth]\nmu_rol = 0.03\n")
+    preset.write_text(good.replace("mu_roll = 0.01 ", "mu_rol = 0.03 "))
     app.step(1.0)
     assert app.play.state.session.table.knobs.cloth.mu_roll == 0.02
     assert "mu_rol" in app.play.state.messages.warning and "mu_roll?" in app.play.state.messages.warning
-    line = len(good.splitlines()) + 3
+    line = 1 + next(number for number, text in enumerate(good.splitlines()) if text.startswith("mu_roll"))
     assert f"line {line}:" in app.play.state.messages.warning
     preset.unlink()
     app.step(1.0)
@@ -73,7 +73,7 @@ def test_a_change_of_the_base_is_taken_too(tmp_path: Path) -> None:
 def test_a_match_keeps_its_table_and_practice_takes_what_was_saved_meanwhile(own: Own) -> None:
     app, preset, good = own
     app.scene = app.lobby.begin(recorded(app.play.state.session.table, Setup("nine-ball", breaker=0)))
-    preset.write_text(good + "\n[cloth]\nmu_roll = 0.02\n")
+    preset.write_text(good.replace("mu_roll = 0.01 ", "mu_roll = 0.02 "))
     app.step(1.0)
     assert app.play.state.session.table.knobs.cloth.mu_roll == 0.01
     assert app.play.state.messages.warning == ""

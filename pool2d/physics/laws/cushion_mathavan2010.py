@@ -9,7 +9,7 @@ from ..body import Body
 from ..energy import take_back
 from ..roots import INF
 from .law import CushionLaw, CushionNumbers, Nose
-from .nose import State, along_nose, give, rate, seen, sprung_back
+from .nose import State, along_nose, drag, dragged, give, rate, seen, springing_back
 from .rebound import rebound
 
 # Steps of the integration, for each of compression and restitution. Against 2,000
@@ -63,7 +63,7 @@ def collide(ball: Body, nx: float, ny: float, numbers: CushionNumbers, steps: in
         if last:
             break
     if nose.tangential > 0.0:
-        state = sprung_back(state, turned + state[4], push, nose)
+        state = dragged(state, springing_back(drag(turned + state[4], nose), push, nose), nose)
     before = ball.energy()
     give(ball, nx, ny, state[0], state[1], state[2], state[3], state[4])
     take_back([ball], before, True)

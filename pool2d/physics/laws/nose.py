@@ -54,12 +54,20 @@ def springing_back(along: float, push: float, nose: Nose) -> float:
     return math.copysign(min(nose.tangential * abs(along), max(0.0, room)), along)
 
 
-def sprung_back(state: State, turned: float, push: float, nose: Nose) -> State:
-    """A state after that, where the nose has changed R wZ by `turned`, which only its friction along the rail does."""
+def dragged(state: State, fx: float, nose: Nose) -> State:
+    """A state after an impulse fx, per mass, along the rail at the nose."""
     vx, vy, qx, qy, qz = state
-    sin, cos = nose.sin, nose.cos
-    fx = springing_back(turned / (-2.5 * cos), push, nose)
-    return vx + fx, vy, qx, qy + 2.5 * fx * sin, qz - 2.5 * fx * cos
+    return vx + fx, vy, qx, qy + 2.5 * fx * nose.sin, qz - 2.5 * fx * nose.cos
+
+
+def slip_along(state: State, nose: Nose) -> float:
+    """How fast the ball's surface slips along the rail at the nose, m/s."""
+    return state[0] + state[3] * nose.sin - state[4] * nose.cos
+
+
+def drag(turned: float, nose: Nose) -> float:
+    """The impulse along the rail that has changed R wZ by `turned`: nothing else at the nose does."""
+    return turned / (-2.5 * nose.cos)
 
 
 def give(ball: Body, nx: float, ny: float, vx: float, vy: float, qx: float, qy: float, qz: float) -> None:
