@@ -216,6 +216,18 @@ def test_hop(case: dict[str, Any]) -> None:
     assert hop(shot, table.knobs.ball.mass, table.knobs) == near(case, tuple(expected.values()))
 
 
+def test_a_tip_off_the_centre_turns_the_ball_and_it_hops_less() -> None:
+    """The tip meets m / (cos^2 + 5/2 (a^2 + b^2)) of the ball: its speed, hence the hop's, is less by that."""
+    table = open_table()
+    mass, cue, cos = table.knobs.ball.mass, table.knobs.cue, math.cos(math.radians(30.0))
+    up = [
+        hop(Shot(speed=3.0, side=a, height=b, elevation=30.0), mass, table.knobs)[0]
+        for a, b in ((0.0, 0.0), (0.3, 0.4))
+    ]
+    inertia = [mass / cue.mass + cos * cos + offsets for offsets in (0.0, 2.5 * 0.25)]
+    assert up[1] / up[0] == pytest.approx(inertia[0] / inertia[1])
+
+
 @CONTACTS.run("D04")
 def test_default_tip_is_within_what_is_measured(case: dict[str, Any]) -> None:
     expected, cue = case["expected"], open_table().knobs.cue

@@ -180,6 +180,8 @@ def test_second_of_two_frozen_balls_goes_where_they_point(aim: float) -> None:
     table = open_table(ball__law="frictionless")
     second = Ball("2", 3.0 + PITCH * math.cos(turn), 2.0 + PITCH * math.sin(turn))
     roll = simulate(table, Layout([Ball("cue", 2.5, 2.0), Ball("1", 3.0, 2.0), second]), Shot(speed=3.0))
+    # The pair that set it off comes first.
+    assert cluster(roll).pairs == (("1", "cue"), ("1", "2"))
     after = cluster(roll).after
     assert math.degrees(math.atan2(after["2"].vy, after["2"].vx)) == pytest.approx(aim, abs=1e-5)
     # What the second ball takes of the first one's way along the line is what restitution leaves it.

@@ -10,6 +10,7 @@ import pytest
 
 from pool2d import Ball, Event, Layout, Rollout, Table, load_table, simulate
 from pool2d.config.knobs import walk
+from pool2d.physics.materials import materials
 
 TABLE = load_table("pool-9ft", {"facing.restitution": 1.0, "facing.tangential": 0.0, "facing.friction": 1.0})
 RADIUS = TABLE.knobs.ball.radius
@@ -48,6 +49,7 @@ def test_what_springs_back_along_a_facing_is_on_top_of_what_does_along_a_cushion
     for cushion, facing in ((0.2, 0.3), (0.5, 0.0), (0.8, 0.4), (1.0, 0.0)):
         table = TABLE.with_knobs({"cushion.tangential": cushion, "facing.tangential": facing, "cushion.friction": 1.0})
         outs.append(first_touch(simulate(table, Layout([ball]))).after["1"])
+        assert materials(table.knobs).facing.tangential == pytest.approx(min(1.0, cushion + facing))
     assert outs[0] == outs[1] != outs[2] == outs[3]
 
 
