@@ -31,18 +31,25 @@ def untold(slopes: Sequence[Slopes], miss: float) -> list[list[int]]:
 def uncertainties(slopes: Sequence[Slopes], fitted: Sequence[Fitted], usual: float) -> Floats:
     """How far off each knob may be, in its width, 95 times of 100; `usual` is the size of a usual shot's misses, m.
 
-    The larger of two: by the misses, were each an error of its own (Huber 1981, chapter 7), and by how much the shots
-    disagree, as errors of one shot go together (the sandwich of White 1980, by shots). All knobs have to be told.
+    The larger of two: by the misses, were each an error of its own (Huber 1981, chapter 7), and by how much the knobs
+    would move without each of the shots, as errors of one shot go together, and a launch that is lost pulls alone (the
+    jackknife: Efron and Stein 1981, by shots and to first order). All knobs have to be told.
     """
     parts = [weights(one.misses, CLIP * usual) for one in fitted]
     pulls = [one.misses * part for one, part in zip(fitted, parts, strict=True)]
     # By how much a miss pulls more where it grows, on average; 1 where none is clipped.
     growth = float(np.mean(np.concatenate(parts) ** 3))
-    inverse = np.linalg.inv(_information(slopes)) / growth
-    by_misses = inverse * _variance(fitted, pulls, len(slopes[0].misses[0])) / growth
-    toward = np.array([one.misses.T @ pull for one, pull in zip(slopes, pulls, strict=True)])
-    by_shots = inverse @ toward.T @ toward @ inverse * len(toward) / max(1, len(toward) - 1)
-    return COVERAGE * np.sqrt(np.maximum(np.diag(by_misses), np.diag(by_shots)))
+    told = _information(slopes) * growth
+    by_misses = np.linalg.inv(told) * _variance(fitted, pulls, len(slopes[0].misses[0])) / growth
+    without = np.array([_without(told, one.misses, pull, growth) for one, pull in zip(slopes, pulls, strict=True)])
+    by_shots = np.sum(without**2, axis=0) * (len(without) - 1) / len(without)
+    return np.asarray(COVERAGE * np.sqrt(np.maximum(np.diag(by_misses), by_shots)), np.float64)
+
+
+def _without(told: Floats, misses: Floats, pull: Floats, growth: float) -> Floats:
+    """How far the knobs move, in their widths, where one shot is left out; far, where no other tells them."""
+    others = told - growth * (misses.T @ misses)
+    return np.asarray(np.linalg.pinv(others, rcond=1e-12) @ (misses.T @ pull), np.float64)
 
 
 def _variance(fitted: Sequence[Fitted], pulls: Sequence[Floats], knobs: int) -> float:

@@ -18,6 +18,8 @@ from ..table.placing import MOST_BALLS, RANGES, check_id
 from .tracks import Floats, Track, TrackedShot, TrackFile
 
 COLUMNS = ("shot", "time", "ball", "x", "y")
+# What a column may be called as well.
+_ALSO = {"t": "time"}
 _KEYS = ("table", "radius", "shots")
 _SHOT_KEYS = ("shot", "tracks")
 # Bytes, points and shots of one file: some thousands of shots at 50 pictures a second.
@@ -27,6 +29,9 @@ _MOST_SHOTS = 10_000
 _LONGEST_NAME = 60
 _TIME = Knob(0.0, -1e6, 1e6, "s", "when a ball was seen")
 _PLACE = RANGES["x"]
+
+# The name of the shot of a file that tells of one alone.
+_ONE = "1"
 
 # A ball's points as they are read: time, x, y.
 _Points = list[tuple[float, float, float]]
@@ -50,8 +55,7 @@ def _of_rows(content: bytes, source: str) -> _Seen:
     """The rows of a CSV file; their order is of no consequence."""
     try:
         rows = csv.reader(io.StringIO(content.decode("utf-8-sig"), newline=""), strict=True)
-        header = [name.strip() for name in next(rows, [])]
-        places = _places(header, source)
+        places = _places([_ALSO.get(name.strip(), name.strip()) for name in next(rows, [])], source)
         seen: _Seen = {}
         for count, row in enumerate(rows):
             if count == _MOST_POINTS:
@@ -66,19 +70,20 @@ def _of_rows(content: bytes, source: str) -> _Seen:
 
 
 def _places(header: list[str], source: str) -> list[int]:
-    """Where each of the columns stands; others are left alone."""
-    for name in COLUMNS:
+    """Where each of the columns stands, -1 for shots where there is but one; others are left alone."""
+    needed = COLUMNS if "shot" in header else COLUMNS[1:]
+    for name in needed:
         if header.count(name) != 1:
             found = "is there twice" if name in header else f"missing; the first line has to name {', '.join(COLUMNS)}"
             raise InputError(source, name, None, found, 1)
-    return [header.index(name) for name in COLUMNS]
+    return [header.index(name) if name in needed else -1 for name in COLUMNS]
 
 
 def _take(seen: _Seen, row: list[str], places: list[int], source: str, line: int) -> None:
     """One row of a CSV file."""
     if len(row) <= max(places):
         raise InputError(source, "", None, f"has {len(row)} values; needed are {', '.join(COLUMNS)}", line)
-    shot, time, ball, x, y = (row[place].strip() for place in places)
+    shot, time, ball, x, y = (row[place].strip() if place >= 0 else _ONE for place in places)
     try:
         point = (
             _number(_TIME, time, source, "time"),
@@ -107,12 +112,40 @@ def _names(name: object) -> bool:
 
 
 def _of_json(data: Any, source: str) -> TrackFile:
+    if isinstance(data, list):
+        return TrackFile(_shots(_of_objects(data, source), source))
     if not isinstance(data, dict):
-        raise InputError(source, "", None, f"allowed is a JSON object with {', '.join(_KEYS)}")
+        raise InputError(
+            source, "", None, f"allowed is an object with {', '.join(_KEYS)}, or a list of objects with those of a row"
+        )
     check_keys(data, _KEYS, source)
     return TrackFile(
         _shots(_of_entries(data.get("shots"), source), source), _table(data, source), _radius(data, source)
     )
+
+
+def _of_objects(rows: list[Any], source: str) -> _Seen:
+    """A list of points, each an object with what a row of a CSV file has."""
+    seen: _Seen = {}
+    for number, row in enumerate(rows):
+        key = f"[{number}]"
+        if not isinstance(row, dict):
+            raise InputError(source, key, row, f"allowed is an object with {', '.join(COLUMNS)}")
+        point: dict[str, Any] = {_ALSO.get(str(name), str(name)): value for name, value in row.items()}
+        check_keys(point, COLUMNS, source, f"{key}.")
+        shot = _name(point.get("shot", _ONE), source, f"{key}.shot")
+        ball = check_id(point.get("ball"), source, f"{key}.ball")
+        seen.setdefault(shot, {}).setdefault(ball, []).append(_point(point, source, key))
+    return seen
+
+
+def _point(point: dict[str, Any], source: str, key: str) -> tuple[float, float, float]:
+    """Time, x and y of a point that is an object."""
+    t, x, y = (
+        float(knob.check(point.get(name), source, f"{key}.{name}"))
+        for name, knob in (("time", _TIME), ("x", _PLACE), ("y", _PLACE))
+    )
+    return t, x, y
 
 
 def _table(data: dict[str, Any], source: str) -> str | None:

@@ -68,6 +68,36 @@ def test_json_names_its_table_too(tmp_path: Path) -> None:
     assert found.shots[0].tracks["cue"].y.tolist() == [0.4, 1.0]
 
 
+def test_one_shot_needs_no_name_and_time_may_be_t(tmp_path: Path) -> None:
+    rows = "t,ball,x,y\n0.02,cue,0.5,0.4\n0,cue,0.51,0.4\n0,red,1,0.7\n"
+    (shot,) = read_tracks(written(tmp_path, rows)).shots
+    assert (shot.name, list(shot.tracks), shot.tracks["cue"].x.tolist()) == ("1", ["cue", "red"], [0.51, 0.5])
+
+
+def test_json_may_be_a_list_of_points(tmp_path: Path) -> None:
+    points = [
+        {"time": 0.02, "ball": "cue", "x": 0.5, "y": 0.4},
+        {"t": 0, "ball": "cue", "x": 0.51, "y": 0.4},
+        {"t": 0, "ball": "cue", "x": 0.51, "y": 0.4, "shot": "b"},
+    ]
+    found = read_tracks(written(tmp_path, json.dumps(points), "shots.json"))
+    assert [(shot.name, shot.points) for shot in found.shots] == [("1", 2), ("b", 1)]
+
+
+@pytest.mark.parametrize(
+    ("point", "told"),
+    [
+        (7, ": [1] = 7: allowed is an object with shot, time, ball, x, y"),
+        ({"t": 0, "ball": "cue", "x": 1, "y": 1, "z": 1}, ": [1].z = 1: unknown"),
+        ({"t": 0, "ball": "cue", "x": 1}, ": [1].y = None: allowed is a number"),
+        ({"t": 0, "ball": 3, "x": 1, "y": 1}, ": [1].ball = 3: allowed is a text"),
+    ],
+)
+def test_wrong_points_are_told(tmp_path: Path, point: Any, told: str) -> None:
+    good = {"t": 0.1, "ball": "cue", "x": 1.0, "y": 1.0}
+    assert complaint(tmp_path, json.dumps([good, point]), "shots.json").startswith(told)
+
+
 def test_many_points_are_read(tmp_path: Path) -> None:
     """More than other files may hold."""
     points = [[i / 50, 0.5, 0.4] for i in range(30_000)]
@@ -78,7 +108,7 @@ def test_many_points_are_read(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("", ", line 1: shot = None: missing; the first line has to name shot, time, ball, x, y"),
+        ("", ", line 1: time = None: missing; the first line has to name shot, time, ball, x, y"),
         ("shot,time,ball,x\n", ", line 1: y = None: missing; the first line has to name shot, time, ball, x, y"),
         ("shot,time,ball,x,y,x\n", ", line 1: x = None: is there twice"),
         ("shot,time,ball,x,y\n", ": has 0 shots; allowed are 1 to 10000"),
@@ -90,7 +120,7 @@ def test_many_points_are_read(tmp_path: Path) -> None:
         (ROWS + "3,0,,1,1\n", ", line 6: ball = '': allowed is a text of printable characters"),
         (ROWS + "1,0.02,cue,1,1\n", ": shot 1, ball cue, time = 0.02: the ball was seen twice at this time"),
         (ROWS + '3,0,"cue,1,1\n', ": not a CSV file"),
-        ("\x00" * 50, ", line 1: shot = None: missing"),
+        ("\x00" * 50, ", line 1: time = None: missing"),
     ],
 )  # fmt: skip
 def test_wrong_rows_are_told(tmp_path: Path, text: str, told: str) -> None:
@@ -122,7 +152,7 @@ def test_wrong_json_is_told(tmp_path: Path, change: dict[str, Any], told: str) -
 def test_other_files_are_refused(tmp_path: Path) -> None:
     assert "ends in .csv or .json" in complaint(tmp_path, ROWS, "shots.txt")
     assert "not a JSON file" in complaint(tmp_path, "[", "shots.json")
-    assert "allowed is a JSON object" in complaint(tmp_path, "[]", "shots.json")
+    assert "allowed is an object with table" in complaint(tmp_path, "3", "shots.json")
     with pytest.raises(InputError, match="cannot be read"):
         read_tracks(tmp_path / "none.csv")
 
