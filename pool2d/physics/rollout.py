@@ -9,7 +9,10 @@ from functools import cached_property
 
 from .event import Event
 from .motion import Motion
-from .values import MOTION_FIELDS, Ball, Layout
+from .values import Ball, Layout
+
+# What a fingerprint is taken of: the heights only of balls that leave the cloth, which were not always there.
+_PRINTED = ("x", "y", "vx", "vy", "wx", "wy", "wz")
 
 
 class Rollout:
@@ -76,7 +79,9 @@ class Rollout:
         for event in self.events:
             sha.update(f"{event.kind} {event.balls} {event.where}".encode())
             for ball in event.after.values():
-                sha.update(struct.pack("<8d", event.t, *(getattr(ball, name) for name in MOTION_FIELDS)))
+                sha.update(struct.pack("<8d", event.t, *(getattr(ball, name) for name in _PRINTED)))
+                if ball.z != 0.0 or ball.vz != 0.0:
+                    sha.update(struct.pack("<2d", ball.z, ball.vz))
         for ball in sorted(self.layout().values()):
             sha.update(f"{ball.id} {ball.phase}".encode() + struct.pack("<2d", ball.x, ball.y))
         return sha.hexdigest()

@@ -9,17 +9,22 @@ from typing import Any, Final, Literal, NamedTuple
 
 from ..errors import InputError
 
-Phase = Literal["resting", "spinning", "rolling", "sliding", "pocketed"]
+Phase = Literal["resting", "spinning", "rolling", "sliding", "airborne", "pocketed", "off"]
 RESTING: Final = "resting"
 SPINNING: Final = "spinning"
 ROLLING: Final = "rolling"
 SLIDING: Final = "sliding"
+AIRBORNE: Final = "airborne"
 POCKETED: Final = "pocketed"
+OFF: Final = "off"
+# Phases of a ball that is no longer played.
+GONE: Final[tuple[Phase, ...]] = (POCKETED, OFF)
 
 # What happens in a shot: contacts first, then changes of phase.
 EventKind = Literal[
-    "cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "cluster", "sliding_rolling", "rolling_resting", "spin_end"
-]
+    "cue_ball", "ball_ball", "ball_cushion", "ball_pocket", "ball_slate", "ball_off", "cluster",
+    "sliding_rolling", "rolling_resting", "spin_end",
+]  # fmt: skip
 # What `where` says of a "cue_ball" event whose tip has slipped.
 MISCUE: Final = "miscue"
 
@@ -27,8 +32,9 @@ MISCUE: Final = "miscue"
 class Ball(NamedTuple):
     """One ball at one moment.
 
-    Place in m, velocity in m/s, spin in rad/s; `phase` is resting, spinning, rolling, sliding or
-    pocketed. A radius or mass of None means the table's own.
+    Place in m, velocity in m/s, spin in rad/s; `phase` is resting, spinning, rolling, sliding, airborne,
+    pocketed, or off the table. A radius or mass of None means the table's own. `z` is the height of its
+    lowest point above the cloth, and `vz` how fast that rises.
 
     Examples:
         >>> from pool2d import Ball
@@ -48,6 +54,8 @@ class Ball(NamedTuple):
     phase: Phase = RESTING
     radius: float | None = None
     mass: float | None = None
+    z: float = 0.0
+    vz: float = 0.0
 
     def still(self) -> Ball:
         """The same ball at rest."""
@@ -58,7 +66,7 @@ class Ball(NamedTuple):
         return {name: getattr(self, name) for name in STATE_FIELDS}
 
 
-MOTION_FIELDS = ("x", "y", "vx", "vy", "wx", "wy", "wz")
+MOTION_FIELDS = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
 STATE_FIELDS = (*MOTION_FIELDS, "phase")
 
 
@@ -101,8 +109,8 @@ class Layout(Mapping[str, Ball]):
         return Layout(ball for ball in self._balls.values() if ball.id not in ids)
 
     def on_table(self) -> list[Ball]:
-        """The balls that have not been pocketed."""
-        return [ball for ball in self._balls.values() if ball.phase != POCKETED]
+        """The balls that have neither been pocketed nor left the table."""
+        return [ball for ball in self._balls.values() if ball.phase not in GONE]
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from ..errors import InputError
 from ..physics.body import Body
 from ..physics.detect import Element, Pocket
 from ..physics.standing import Limits, in_range, stand_apart
-from ..physics.values import MOTION_FIELDS, POCKETED, Ball, Layout
+from ..physics.values import GONE, MOTION_FIELDS, Ball, Layout
 from .table_knobs import Knobs
 
 # Balls drawn this much into each other or into a cushion, m, are set apart: numbers get rounded on
@@ -32,8 +32,10 @@ _LONGEST_ID = 40
 RANGES: dict[str, Knob] = {
     "x": Knob(0.0, -100.0, 100.0, "m", "place along the table"),
     "y": Knob(0.0, -100.0, 100.0, "m", "place across the table"),
+    "z": Knob(0.0, 0.0, 10.0, "m", "height of its lowest point above the cloth"),
     "vx": Knob(0.0, -50.0, 50.0, "m/s", "velocity along the table"),
     "vy": Knob(0.0, -50.0, 50.0, "m/s", "velocity across the table"),
+    "vz": Knob(0.0, -50.0, 50.0, "m/s", "velocity upward"),
     "wx": Knob(0.0, -1000.0, 1000.0, "rad/s", "spin about the table's length"),
     "wy": Knob(0.0, -1000.0, 1000.0, "rad/s", "spin about the table's width"),
     "wz": Knob(0.0, -1000.0, 1000.0, "rad/s", "spin about the vertical"),
@@ -124,7 +126,7 @@ def mirrored(table: Bed, layout: Layout, ends: bool = False) -> Layout:
 
 
 def _at_rest(ball: Ball) -> Ball:
-    return ball.still()._replace(phase=POCKETED) if ball.phase == POCKETED else ball.still()
+    return ball.still()._replace(phase=ball.phase) if ball.phase in GONE else ball.still()
 
 
 def _check(table: Bed, ball: Ball) -> float:

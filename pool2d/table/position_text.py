@@ -7,7 +7,7 @@
 | `pool-9ft+heated` | the table, and conditions laid over it; may be left out |
 | `cloth.mu_roll=0.012` | a knob that is set |
 | `1@1.905,0.635` | a ball at rest and its place, m; `,r0.03` its own radius, `,m0.2` its own mass |
-| `8@2.6,1.3!` | a ball that has been pocketed, and where it fell |
+| `8@2.6,1.3!` | a ball that has been pocketed, and where it fell; `!!` one that has left the table |
 | `cue:12.5,3.0,0.2,-0.1,5.0` | a shot: the ball, angle, speed, side, height, elevation; zeros at the end are left out |
 
 Numbers are the shortest that read back to the same bits, so what is written reads back equal. What is
@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from urllib.parse import quote, unquote
 
 from ..errors import InputError
-from ..physics.values import POCKETED, RESTING, Ball, Layout, Phase, Shot
+from ..physics.values import OFF, POCKETED, RESTING, Ball, Layout, Phase, Shot
 from .placing import MOST_BALLS, RANGES, check_id
 from .table import Table
 
@@ -31,6 +31,8 @@ from .table import Table
 _LONGEST = 200_000
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
 _SHOT = ("angle", "speed", "side", "height", "elevation")
+# What follows a ball that is no longer played.
+_SIGNS: dict[Phase, str] = {POCKETED: "!", OFF: "!!"}
 _ALLOWED = "allowed are a table, knob=value, ball@x,y and one ball:angle,speed"
 
 
@@ -107,11 +109,12 @@ def read_shot(text: str, source: str = "shot") -> Shot:
 def _ball_text(ball: Ball) -> str:
     parts = [repr(float(ball.x)), repr(float(ball.y))]
     parts += [f"{key}{float(value)!r}" for key, value in (("r", ball.radius), ("m", ball.mass)) if value is not None]
-    return f"{_escaped(ball.id)}@{','.join(parts)}{'!' if ball.phase == POCKETED else ''}"
+    return f"{_escaped(ball.id)}@{','.join(parts)}{_SIGNS.get(ball.phase, '')}"
 
 
 def _ball(name: str, text: str, word: str, source: str) -> Ball:
-    x, _, rest = text.removesuffix("!").partition(",")
+    sign = "!" * (len(text) - len(text.rstrip("!")))
+    x, _, rest = text.removesuffix(sign).partition(",")
     y, *more = rest.split(",")
     own: dict[str, float] = {}
     for part in more:
@@ -119,7 +122,9 @@ def _ball(name: str, text: str, word: str, source: str) -> Ball:
         if key is None or key in own:
             raise InputError(source, "word", word, "allowed is ball@x,y and then r and a radius, m and a mass")
         own[key] = _number(part[1:], key, word, source)
-    phase: Phase = POCKETED if text.endswith("!") else RESTING
+    phase: Phase = next((phase for phase, mark in _SIGNS.items() if mark == sign), RESTING)
+    if sign and phase == RESTING:
+        raise InputError(source, "word", word, "allowed is ! after a pocketed ball, !! after one off the table")
     check_id(name, source, f"ball in {word}")
     return Ball(name, _number(x, "x", word, source), _number(y, "y", word, source), phase=phase, **own)
 

@@ -22,7 +22,7 @@ from ..physics.detect import Element, Jaw, Pocket, Rail, nearest, time_ball_ball
 from ..physics.motion import Motion
 from ..physics.params import Physics
 from ..physics.standing import inside
-from ..physics.values import MOTION_FIELDS, POCKETED, RESTING, ROLLING, Ball, Layout, Shot
+from ..physics.values import GONE, MOTION_FIELDS, RESTING, ROLLING, Ball, Layout, Shot
 from .furniture import Furniture, Rack, arrange
 from .geometry import build
 from .outline import scaled
@@ -167,9 +167,10 @@ class Table:
         entry: dict[str, Any] = {"table": self.source, "conditions": list(self.conditions), "set": dict(self.set)}
         entry["balls"] = []
         for ball in layout.values():
-            given = {"id": ball.id, **{name: getattr(ball, name) for name in MOTION_FIELDS}}
+            given = {"id": ball.id, **{name: getattr(ball, name) for name in MOTION_FIELDS if name not in ("z", "vz")}}
+            given.update({name: value for name in ("z", "vz") if (value := getattr(ball, name)) != 0.0})
             given.update({name: value for name in ("radius", "mass") if (value := getattr(ball, name)) is not None})
-            if ball.phase != POCKETED:
+            if ball.phase not in GONE:
                 entry["balls"].append(given)
         if shot is not None:
             entry["shot"] = {name: getattr(shot, name) for name in Shot.__dataclass_fields__}

@@ -15,7 +15,7 @@ from pool2d.cli import main
 
 from .cli_runs import PLAY, ROOT, Capture, answer, refusal, run
 
-STATE = {"x", "y", "vx", "vy", "wx", "wy", "wz", "phase"}
+STATE = {"x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "phase"}
 
 
 def test_json_tells_the_whole_rollout(play: str, capsys: Capture) -> None:
@@ -74,7 +74,7 @@ def test_several_files_give_a_line_each_in_order(play: str, tmp_path: Path, caps
     first, second, third = answer(capsys, str(other), play, str(other))
     assert first == third == {
         "duration": 0.0,
-        "balls": {"9": {"x": 1.0, "y": 0.6, "vx": 0.0, "vy": 0.0, "wx": 0.0, "wy": 0.0, "wz": 0.0, "phase": "resting"}},
+        "balls": {"9": dict.fromkeys(STATE, 0.0) | {"x": 1.0, "y": 0.6, "phase": "resting"}},
         "events": [],
     }  # fmt: skip
     assert second["balls"].keys() == {"cue", "1"}

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from pool2d import Ball, InputError, Layout, Shot, load_scenario, load_table
 from pool2d.cli import main
-from pool2d.physics.values import POCKETED, RESTING
+from pool2d.physics.values import OFF, POCKETED, RESTING
 from pool2d.table.position_text import Position, read, read_shot, write, write_shot
 
 from ..scenes import random_shot
@@ -23,8 +23,8 @@ balls = st.builds(
     id=names,
     x=places,
     y=places,
-    **dict.fromkeys(("vx", "vy", "wx", "wy", "wz"), st.just(0.0)),
-    phase=st.sampled_from([RESTING, POCKETED]),
+    **dict.fromkeys(("vx", "vy", "wx", "wy", "wz", "z", "vz"), st.just(0.0)),
+    phase=st.sampled_from([RESTING, POCKETED, OFF]),
     radius=st.none() | st.floats(0.01, 0.06),
     mass=st.none() | st.floats(0.01, 2.0),
 )
