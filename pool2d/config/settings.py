@@ -38,6 +38,7 @@ class Balls:
 class Aiming:
     guide: str = choice("ghost ball", GUIDES, "how much of the shot is shown before it is played")
     speed_unit: str = choice("m/s", tuple(SPEEDS), "in what the speed of the cue is told")
+    easy_stroke: bool = flag(False, "the cue goes through rails and balls, and its tip never hits a ball twice")
 
 
 @dataclass(frozen=True, slots=True)

@@ -120,6 +120,8 @@ class Shot:
     `angle` is the cue's direction in degrees; `speed` the cue's at impact, m/s; `side` and `height`
     the tip's offset as fractions of the ball's radius, in the plane across the cue (side > 0 is
     right-hand english, height > 0 is follow); `elevation` the butt's angle above level, degrees.
+    An `easy` stroke is one whose cue is in nobody's way: it need not clear rails and balls, and is gone
+    once it has met the ball.
 
     Examples:
         >>> from pool2d import Shot
@@ -137,6 +139,7 @@ class Shot:
     height: float = 0.0
     elevation: float = 0.0
     ball: str = "cue"
+    easy: bool = False
 
     def check(self, source: str = "shot") -> None:
         """Raises InputError where a number is not finite, out of range, or the tip misses the ball."""

@@ -23,6 +23,11 @@ from .table import Table
 KEYS = ("table", "conditions", "set", "position", "rack", "seed", "balls", "shot")
 _BALL_KEYS = ("id", *MOTION_FIELDS, "radius", "mass")
 _SHOT_KEYS = tuple(Shot.__dataclass_fields__)
+# What is not a number of a shot's, and what it is.
+_SHOT_KINDS: dict[str, tuple[tuple[type, ...], str]] = {
+    "ball": ((str,), "a ball"),
+    "easy": ((bool,), "true or false"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,9 +183,9 @@ def _shot(entry: Any, layout: Layout, source: str) -> Shot:
         raise InputError(source, "shot", entry, "allowed is a section with " + ", ".join(_SHOT_KEYS))
     check_keys(entry, _SHOT_KEYS, source, "shot.")
     for key, value in entry.items():
-        right = isinstance(value, str) if key == "ball" else type(value) in (int, float)
-        if not right:
-            raise InputError(source, f"shot.{key}", value, f"allowed is a {'ball' if key == 'ball' else 'number'}")
+        kinds, allowed = _SHOT_KINDS.get(key, ((int, float), "a number"))
+        if type(value) not in kinds:
+            raise InputError(source, f"shot.{key}", value, f"allowed is {allowed}")
     if "speed" not in entry:
         low, high, unit = SHOT_RANGES["speed"]
         raise InputError(source, "shot.speed", None, f"missing; needed is a number from {low:g} to {high:g}{unit}")

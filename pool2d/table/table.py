@@ -173,7 +173,8 @@ class Table:
             if ball.phase not in GONE:
                 entry["balls"].append(given)
         if shot is not None:
-            entry["shot"] = {name: getattr(shot, name) for name in Shot.__dataclass_fields__}
+            told = {name: getattr(shot, name) for name in Shot.__dataclass_fields__}
+            entry["shot"] = told if shot.easy else {name: told[name] for name in told if name != "easy"}
         return entry
 
     # What a person asks.

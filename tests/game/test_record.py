@@ -59,6 +59,16 @@ def test_the_table_is_kept() -> None:
     assert verify(kept) is None
 
 
+def test_a_stroke_tells_whether_it_was_an_easy_one() -> None:
+    with record(new_match("practice", 1)) as recorder:
+        recorder.play(Stroke(Shot(10.0, 1.0)))
+        recorder.play(Stroke(Shot(20.0, 1.0, elevation=3.0, easy=True)))
+    kept = load(recorder.path)
+    assert [entry.data["shot"] for entry in kept.entries] == ["cue:10.0,1.0", "cue:20.0,1.0,0.0,0.0,3.0,easy"]
+    assert verify(kept) is None
+    assert restored(kept).match.now.action == recorder.match.now.action
+
+
 def test_what_was_undone_stays() -> None:
     with record(new_match("practice", 1)) as recorder:
         recorder.play(Stroke(Shot(10.0, 1.0)))

@@ -37,6 +37,7 @@ shots = st.builds(
     height=st.floats(-0.7, 0.7),
     elevation=st.floats(0.0, 90.0),
     ball=names,
+    easy=st.booleans(),
 )
 
 
@@ -77,6 +78,7 @@ def test_it_is_short_and_plain() -> None:
     )
     text = write(layout, Shot(12.5, 3.0, side=0.2))
     assert text == "cue@0.635,0.3175 8@2.6,1.3! my%20ball@1.0,1.0,m0.2 cue:12.5,3.0,0.2"
+    assert write_shot(Shot(12.5, 3.0, easy=True)) == "cue:12.5,3.0,easy"
 
 
 @pytest.mark.parametrize(
@@ -97,6 +99,10 @@ def test_it_is_short_and_plain() -> None:
         ("cue@1,1 cue:1,2 cue:1,2", "there is a shot already"),
         ("cue:1", "allowed is ball:angle,speed"),
         ("cue:1,2,3,4,5,6", "allowed is ball:angle,speed"),
+        ("cue:easy", "allowed is ball:angle,speed"),
+        ("cue:1,easy", "allowed is ball:angle,speed"),
+        ("cue:1,easy,2", "allowed is ball:angle,speed"),
+        ("cue:1,2,eas", "allowed is ball:angle,speed"),
         ("cue:1,60", "shot.speed = 60.0: allowed is a number from 0 to 50 m/s"),
         ("cue:1,2,0.9,0.9", "the tip is off the ball"),
         ("@1,1", "a name is missing"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -103,6 +104,15 @@ def test_table_writes_what_a_scenario_reads(tmp_path: Path) -> None:
     assert "shot" not in table.scenario(layout, None)
 
 
+def test_an_easy_stroke_is_told_where_it_is_one(tmp_path: Path) -> None:
+    table = load_table("pool-9ft")
+    layout, shot = random_shot(table, 2)
+    for easy in (True, False):
+        told = table.scenario(layout, replace(shot, easy=easy))
+        assert load_scenario(write(tmp_path, json.dumps(told), "play.json")).shot == replace(shot, easy=easy)
+        assert ("easy" in told["shot"]) is easy
+
+
 HUGE = "9" * 400
 
 
@@ -151,6 +161,7 @@ HUGE = "9" * 400
         ("side = 0.1", "side = 0.99", "shot.side, shot.height = (0.99, -0.2): the tip is off the ball"),
         ('ball = "big"', 'ball = "bag"', "shot.ball = 'bag': unknown; did you mean big?"),
         ('ball = "big"', "ball = 3", "shot.ball = 3: allowed is a ball"),
+        ('ball = "big"', "easy = 1", "shot.easy = 1: allowed is true or false"),
         ("[shot]", "[shot.x]", "shot.x = {"),
         ("[shot]", "[[shot]]", "shot = [{"),
         ("[[balls]]", "[[ball]]", "ball = [{"),

@@ -98,7 +98,7 @@ class Controller:
         self.call_strip.follow(state.session)
         self.call_strip.form.update(dt)
         if self.tuning_panel is not None:
-            self.tuning_panel.tuning.follow(state.hands.aim.shot(state.session.cue.id))
+            self.tuning_panel.tuning.follow(state.aimed())
             self.tuning_panel.update(dt)
         rested = state.update(dt)
         if rested is not None and not rested.review and state.playback is None and state.hands.pointer is not None:
@@ -253,8 +253,7 @@ class Controller:
         if not state.may_arrange():
             return
         if self.tuning is None:
-            aimed = state.hands.aim.shot(state.session.cue.id)
-            tuning = Tuning(state.session, aimed)
+            tuning = Tuning(state.session, state.aimed())
             self._panel = TuningPanel(tuning, state.words, self._by_hand, self._ask_name, state.open_table)
         else:
             self._panel = None

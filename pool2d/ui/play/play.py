@@ -113,6 +113,7 @@ class Play(Scene):
         show = self.state.show
         show.level = GUIDES.index(values.aiming.guide)
         show.effects, show.style = effects_of(values), style_of(values)
+        self.state.easy_stroke = values.aiming.easy_stroke
         if self.controller.tuning_panel is not None:
             self.controller.tuning_panel.fill()
 
@@ -121,7 +122,6 @@ class Play(Scene):
         below, home = self._below or (self._game, home)
         session = DrillSession(drill)
         game = self._set_out(session)
-        game.state.show.take_options(self.state.show)
         game.state.hands.pointer = self.state.hands.pointer
         game.state.take_up(DrillMode(game.state, session, self._leave_drill, lambda: self._go_on_from(drill)))
         self._go_over(game, (below, home))
@@ -137,17 +137,18 @@ class Play(Scene):
 
     def _leave_drill(self) -> None:
         assert self._below is not None
-        show, (below, home) = self.state.show, self._below
+        below, home = self._below
         self._go_over(below, None)
-        self.state.show.take_options(show)
         if home is self:
             # The key that leads back does not also strike.
             self.state.hands.armed = False
         self.state.go_to(home)
 
     def _go_over(self, game: Game, below: tuple[Game, Scene] | None) -> None:
-        """Have another game on the window, in its place before anything is drawn."""
+        """Have another game on the window, played under the same options, in its place before anything is drawn."""
         screen = self.stage.screen
+        game.state.show.take_options(self.state.show)
+        game.state.easy_stroke = self.state.easy_stroke
         self._game, self._below = game, below
         game.controller.lay_out(screen)
 

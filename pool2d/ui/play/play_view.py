@@ -64,7 +64,7 @@ def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
 
 def notes(state: PlayState, speed: float) -> str:
     """What is to be said of the shot that is aimed."""
-    session, shot = state.session, state.hands.aim.shot(state.session.cue.id, speed)
+    session, shot = state.session, state.aimed(speed)
     if state.playback is not None or session.ask.kind != AIM or speed == 0.0:
         return ""
     aimed = state.first_hit(shot) if state.show.level or state.calls.pocket else ""
@@ -103,7 +103,7 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
         stage.in_hand(surface, held, state.in_hand.may_stand(session))
     elif aiming:
         # The shot of the guide, so that one is worked out; before the cue is drawn back far enough, the one of before.
-        shot = hands.aim.shot(session.cue.id, hands.speed or hands.aim.speed)
+        shot = state.aimed(hands.speed or hands.aim.speed)
         aimed = state.first_hit(shot) if state.calls.pocket else ""
         controller.call_strip.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
         cue.draw(surface, session.table, session.cue, hands.aim, cue_motion.stand(hands.drawn), stage.view)
@@ -113,7 +113,7 @@ def _guide(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     """What the stroke would do; off, it is not worked out either."""
     session, level = state.session, state.show.level
     if level != guide.OFF:
-        shot = state.hands.aim.shot(session.cue.id, state.hands.speed)
+        shot = state.aimed(state.hands.speed)
         stage.guide(surface, level, state.foresight.rollout(session.table, level, session.layout, shot), shot.ball)
 
 
@@ -141,7 +141,7 @@ def _vectors(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     session, shown = state.session, state.playback
     vectors.draw(surface, session.layout if shown is None else shown.rollout.at(shown.time), session.table, stage.view)
     if shown is None and not session.in_hand:
-        shot = state.hands.aim.shot(session.cue.id, state.hands.speed)
+        shot = state.aimed(state.hands.speed)
         vectors.draw_cue(surface, session.cue, shot, session.table, stage.view)
     elif shown is not None and shown.shot is not None and shown.time <= 0.0:
         start = shown.rollout.start[shown.shot.ball]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from enum import Enum, auto
 from itertools import pairwise
 
@@ -47,9 +48,9 @@ class Wish(Enum):
 class PlayState:
     """A session as it is played, without a window.
 
-    While `playback` is set, its shot is shown. `wish` is the scene that is to come next, None for this one. It has more
-    attributes and methods than most classes, as it is the one place where what hands, panels and menus do to a game is
-    done.
+    While `playback` is set, its shot is shown. `wish` is the scene that is to come next, None for this one. With
+    `easy_stroke` shots are easy ones, as the options have it. It has more attributes and methods than most classes, as
+    it is the one place where what hands, panels and menus do to a game is done.
     """
 
     def __init__(self, session: Session, words: Words, sounds: Sounds) -> None:
@@ -64,6 +65,7 @@ class PlayState:
         self.foresight = Foresight()
         self.show = Show()
         self.wish: Scene | Wish | None = None
+        self.easy_stroke = False
         self.mode = _mode_of(self)
         self.messages = Messages(lambda: self.mode.standing)
         self.hands.player = session.ask.player
@@ -98,6 +100,10 @@ class PlayState:
         """What the upper bar says on its left and on its right."""
         return self.mode.titles(None if self.playback is None else self.pocketed)
 
+    def aimed(self, speed: float | None = None) -> Shot:
+        """The shot that is aimed, at the speed of a stroke by key or another, m/s."""
+        return replace(self.hands.aim.shot(self.session.cue.id, speed), easy=self.easy_stroke)
+
     def first_hit(self, shot: Shot) -> str:
         """The ball that a shot would meet first; empty where it meets none."""
         return self.foresight.first_hit(self.session.table, self.show.level, self.session.layout, shot)
@@ -114,7 +120,7 @@ class PlayState:
         if self.session.ask.kind == OVER:
             self.wish = Wish.ENDED
             return
-        shot = self.hands.aim.shot(self.session.cue.id, speed)
+        shot = self.aimed(speed)
         try:
             rollout = self.mode.play(shot, self.calls.said(self.session, self.first_hit(shot)))
         except (InputError, BudgetError) as error:

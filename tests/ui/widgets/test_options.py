@@ -11,6 +11,7 @@ import pytest
 from pool2d import load_table
 from pool2d.config.settings import Store
 from pool2d.draw import guide, text, theme
+from pool2d.game.drills.drill_file import load
 from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import keys
 from pool2d.ui.dialogs.options import PAGES, KeyRow, OptionsPage
@@ -286,3 +287,19 @@ def test_balls_are_shown_as_their_options_make_them(hand: Hand) -> None:
         hand.app.store.turn(name, value)
         seen.add(row())
     assert len(seen) == 3
+
+
+def test_an_easy_stroke_is_one_that_the_option_makes_so_in_drills_too(mine: Hand, store: Store) -> None:
+    mine.set_balls(*mine.play.state.session.layout.values())
+    mine.strike()
+    assert mine.play.state.session.shot is not None and not mine.play.state.session.shot.easy
+    click(mine, widget(options(mine, "aiming"), Toggle, "Easy stroke").rect.center)
+    assert store.values.aiming.easy_stroke
+    mine.key(pygame.K_ESCAPE)
+    mine.strike()
+    assert mine.play.state.session.shot is not None and mine.play.state.session.shot.easy
+    mine.app.play.drill(load("stop-shot"), mine.app.play)
+    mine.key(pygame.K_o)
+    mine.key(pygame.K_ESCAPE)
+    mine.strike()
+    assert mine.play.state.session.shot is not None and mine.play.state.session.shot.easy
