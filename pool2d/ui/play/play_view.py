@@ -153,7 +153,7 @@ def _bars_key(state: PlayState, controller: Controller, shown: Playback) -> Hash
     """What the bars tell while a shot runs."""
     stage, tuning = controller.stage, controller.tuning
     said = (state.messages.text, state.messages.warning, state.words.manner)
-    drawn = (stage.screen, stage.style, state.pocketed, state.hands.aim, *said)
+    drawn = (stage.screen, stage.style, state.gone, state.hands.aim, *said)
     # What stands to the players' credit comes with the moment, a drill's run with its stroke; it is told of a shot
     # only when it is seen again.
     error = tuning.error if tuning is not None else ""
@@ -169,7 +169,7 @@ def _bars(surface: pygame.Surface, state: PlayState, controller: Controller) -> 
         # While a shot runs for the first time, what comes of it is not told yet.
         first = state.playback is not None and not state.playback.again
         scoreboard.draw(surface, state.words, screen, session.match, session.match.history[-2 if first else -1])
-    controller.stage.tray(surface, state.pocketed)
+    controller.stage.tray(surface, state.gone, state.shown_balls.layout)
     if session.ask.kind != CHOOSE or state.playback is not None:
         struck = state.playback.shot if state.playback is not None else None
         aim, speed = hands.aim, hands.speed

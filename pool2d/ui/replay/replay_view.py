@@ -81,7 +81,7 @@ def _upper_bar(
     left = button("later", screen).right + 2 * unit
     title = text.fitted(ruling_text.title(words, shot.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
-    stage.tray(surface, state.shown_balls.pocketed(shot.match))
+    stage.tray(surface, state.shown_balls.gone(shot.match), state.shown_balls.layout)
     # Until a shot has come to its end the score is the one that it was played at.
     moment = shot.moment if state.playback.ended else shot.before
     scoreboard.draw_beside(surface, words, screen, shot.match, moment, shot.moment.shooter)
