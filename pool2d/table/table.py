@@ -193,7 +193,7 @@ class Table:
         return self.on_surface(x, y) or inside(x, y, self._throats)
 
     def ground(self, x: float, y: float) -> float:
-        """How high what lies below a point is above the cloth, m: the top of the rails, where it is not on the cloth."""
+        """How high what lies below a point is above the cloth, m: off the cloth it is the top of the rails."""
         return 0.0 if self.on_cloth(x, y) else self.knobs.cushion.nose_height
 
     def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:

@@ -169,9 +169,9 @@ def shadow_of(height: float) -> tuple[float, float]:
 def shadow(radius: float, step: int, height: float = 0.0) -> tuple[pygame.Surface, int, int]:
     """The shadow of a ball: dark where the ball touches the cloth, soft around, long on the side away from the lamp.
 
-    The `height` of a ball over the cloth is in its radii: the higher, the softer and fainter its shadow, which then lies
-    about the place that `shadow_of` says. With the picture come the offsets, right and down in pixels, from the middle
-    pixel of the ball or of that place to its top left corner.
+    The `height` of a ball over the cloth is in its radii: the higher, the softer and fainter its shadow, which then
+    lies about the place that `shadow_of` says. With the picture come the offsets, right and down in pixels, from the
+    middle pixel of the ball or of that place to its top left corner.
     """
     # The part of a shadow that is cast by a ball's being so near, and how much its edge is spread.
     near, spread = math.exp(-2.5 * height), 0.45 * height

@@ -14,6 +14,7 @@ from ...draw.view import View
 from ...game.rules import AIM, CHOOSE
 from ...game.rules.spotting import KITCHEN, D
 from ...physics.strike import hop, miscue_limit
+from ...table.flights import flies
 from ..frame import Frame
 from ..stage import bars, scoreboard
 from ..stage.legend import draw_legend
@@ -112,7 +113,7 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
 def _guide(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     """What the stroke would do; off, it is not worked out either."""
     session, level = state.session, state.show.level
-    if level != guide.OFF:
+    if level != guide.NONE:
         shot = state.aimed(state.hands.speed)
         stage.guide(surface, level, state.foresight.rollout(session.table, level, session.layout, shot), shot.ball)
 
@@ -146,7 +147,7 @@ def _vectors(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     elif shown is not None and shown.shot is not None and shown.time <= 0.0:
         start = shown.rollout.start[shown.shot.ball]
         vectors.draw_cue(surface, start, shown.shot, session.table, stage.view)
-    draw_legend(surface, state.words, stage.screen)
+    draw_legend(surface, state.words, stage.screen, shown is not None and flies(shown.rollout))
 
 
 def _bars_key(state: PlayState, controller: Controller, shown: Playback) -> Hashable:

@@ -13,6 +13,7 @@ from ...draw.view import View, fit
 from ...physics.orientation import FACING, Quaternion
 from ...physics.rollout import Rollout
 from ...physics.values import AIRBORNE, OFF, RESTING, Ball, Layout
+from ...table.flights import jumped
 from ...table.furniture import Look
 from ...table.table import Table
 from ..frame import Frame
@@ -107,7 +108,8 @@ class Stage:
             if level == guide.WHOLE:
                 guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
             fore = guide.foresee(rollout, ball, within=guide.fineness(self.view))
-            guide.draw(surface, fore, level, self.table, self.view)
+            over = [(rollout.ball_at(one.ball, one.t), one) for one in jumped(rollout, self.table, ball)]
+            guide.draw(surface, fore, level, self.table, self.view, over)
 
     def comparison(
         self, surface: pygame.Surface, before: Rollout | None, compared: Rollout | None, now: Rollout | None
