@@ -14,6 +14,7 @@ import os
 import platform
 import subprocess
 import sys
+from dataclasses import replace
 
 from pool2d import load_table, simulate
 from pool2d.compiled import INTERPRETED, engine, is_compiled
@@ -22,13 +23,15 @@ from pool2d.table.preset import presets
 from .fuzz import scene
 
 
-def digest(first: int, shots: int) -> str:
-    """One digest of them all."""
+def digest(first: int, shots: int, level: bool = False) -> str:
+    """One digest of them all; `level` lays every cue level."""
     tables = [load_table(name) for name in presets()]
     sha = hashlib.sha256()
     for number in range(first, first + shots):
         table = tables[number % len(tables)]
-        sha.update(simulate(table, *scene(table, f"bits {number}")).digest().encode())
+        layout, shot = scene(table, f"bits {number}")
+        shot = replace(shot, elevation=0.0) if level else shot
+        sha.update(simulate(table, layout, shot).digest().encode())
     return sha.hexdigest()
 
 

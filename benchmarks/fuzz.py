@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from pool2d import Ball, BudgetError, Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.physics.motion import Motion
-from pool2d.physics.values import POCKETED, RESTING
+from pool2d.physics.values import GONE, OFF, POCKETED, RESTING
 
 from .wide import wide
 
@@ -112,11 +112,11 @@ def examine(number: int, table: Table, layout: Layout, shot: Shot | None) -> Res
 
 def faults(table: Table, roll: Rollout) -> Iterator[str]:
     """Whatever is wrong with a rollout, in words."""
-    if {ball.phase for ball in roll.layout().values()} - {RESTING, POCKETED}:
+    if {ball.phase for ball in roll.layout().values()} - {RESTING, POCKETED, OFF}:
         yield "not all balls are at rest"
     for event in roll.events:
         before, after = (energy(table, roll.start, states) for states in (event.before, event.after))
-        if event.kind != "cue_ball" and not after <= before * (1.0 + 1e-12) + 1e-15:
+        if event.kind != "cue_ball" and not after <= before + 1e-12 * abs(before) + 1e-15:
             yield f"{event}: energy rises by {after - before:.3g} J, of {before:.3g} J"
     moments = [0.0, *(event.t for event in roll.events)]
     if moments != sorted(moments):
@@ -126,41 +126,50 @@ def faults(table: Table, roll: Rollout) -> Iterator[str]:
     names = list(roll.tracks)
     paths = [positions(roll.tracks[name], times) for name in names]
     for i, name in enumerate(names):
-        x, y, present = paths[i]
-        if not np.isfinite((x, y)).all():
+        x, y, z, present = paths[i]
+        radius = table.body_of(roll.start[name])[0]
+        if not np.isfinite((x, y, z)).all():
             yield f"{name} is nowhere"
-        yield from misplaced(table, roll.start[name], x[present], y[present])
+        yield from misplaced(table, roll.start[name], x[present], y[present], z[present])
         for j in range(i):
-            away = np.hypot(x - paths[j][0], y - paths[j][1])[present & paths[j][2]]
-            overlap = table.touch(roll.start[name], roll.start[names[j]]) - away.min(initial=math.inf)
+            other = table.body_of(roll.start[names[j]])[0]
+            apart = np.array([x - paths[j][0], y - paths[j][1], z - paths[j][2] + radius - other])
+            away = np.linalg.norm(apart, axis=0)[present & paths[j][3]]
+            overlap = radius + other - away.min(initial=math.inf)
             if not overlap <= NANOMETRE:
                 yield f"{name} and {names[j]} overlap by {overlap:.3g} m"
 
 
 def energy(table: Table, sizes: Layout, states: dict[str, Ball]) -> float:
-    """Of travel and spin, J."""
+    """Of travel, spin and height, J."""
     total = 0.0
     for ball in states.values():
         radius, mass = table.body_of(sizes[ball.id])
         spin = ball.wx**2 + ball.wy**2 + ball.wz**2
-        total += 0.5 * mass * (ball.vx**2 + ball.vy**2 + 0.4 * radius**2 * spin)
+        total += 0.5 * mass * (ball.vx**2 + ball.vy**2 + ball.vz**2 + 0.4 * radius**2 * spin)
+        total += mass * table.knobs.gravity * ball.z
     return total
 
 
-def positions(track: list[Motion], times: Floats) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+def positions(track: list[Motion], times: Floats) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
     """Where a ball is at each time, and whether it is on the table."""
-    rows = np.array([(m.t0, m.x, m.y, m.vx, m.vy, m.hx, m.hy, m.phase != POCKETED) for m in track])
-    t0, x, y, vx, vy, hx, hy, present = rows[np.searchsorted(rows[:, 0], times, side="right") - 1].T
+    rows = np.array([(m.t0, m.x, m.y, m.z, m.vx, m.vy, m.vz, m.hx, m.hy, m.hz, m.phase not in GONE) for m in track])
+    t0, x, y, z, vx, vy, vz, hx, hy, hz, present = rows[np.searchsorted(rows[:, 0], times, side="right") - 1].T
     s = times - t0
-    return x + (vx + hx * s) * s, y + (vy + hy * s) * s, present > 0.0
+    return x + (vx + hx * s) * s, y + (vy + hy * s) * s, z + (vz + hz * s) * s, present > 0.0
 
 
-def misplaced(table: Table, ball: Ball, x: Floats, y: Floats) -> Iterator[str]:
+def misplaced(table: Table, ball: Ball, x: Floats, y: Floats, z: Floats) -> Iterator[str]:
     """Where a ball is off the table or in a cushion. Between the noses it cannot be: only beyond is looked at."""
     radius = table.body_of(ball)[0]
     inset, knobs = table.reach(radius) - NANOMETRE, table.knobs.table
     beyond = (x < inset) | (x > knobs.length - inset) | (y < inset) | (y > knobs.width - inset)
-    for px, py in zip(x[beyond].tolist(), y[beyond].tolist(), strict=True):
+    for px, py, pz in zip(x[beyond].tolist(), y[beyond].tolist(), z[beyond].tolist(), strict=True):
+        if pz != 0.0:
+            room, what = table.bed.room(px, py, pz, radius)
+            if room < -NANOMETRE:
+                yield f"{ball.id} is {-room:.3g} m inside {what}, {pz} m high"
+            continue
         gap, element = table.element_gap(px, py, radius)
         if not table.on_cloth(px, py):
             yield f"{ball.id} is off the table, at {px}, {py}"

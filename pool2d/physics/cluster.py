@@ -60,7 +60,8 @@ def linked(first: list[Body], crowd: Crowd, room: float, now: float) -> list[tup
             touch = 2.0 * math.sqrt(ball.radius * other.radius)
             reach = touch + room
             dx, dy = other.x - ball.x, other.y - ball.y
-            if dx * dx + dy * dy > reach * reach:
+            # One in the air is none of them, even where it is above them.
+            if dx * dx + dy * dy > reach * reach or other.aloft():
                 continue
             if other.index not in seen:
                 seen.add(other.index)

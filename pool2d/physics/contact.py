@@ -9,7 +9,9 @@ from .body import Body
 from .cluster import Group, facing, linked, solve
 from .crowd import Crowd
 from .detect import NOISE, Element
-from .materials import Materials
+from .flight.bed import Bed
+from .flight.impact import GENTLE, against, collide, glance, nearing
+from .flight.solids import Solid
 from .motion import Motion
 from .pressing import Side, press
 from .roots import INF
@@ -24,15 +26,17 @@ Touch = tuple[Body, str]
 class Met:
     """Which balls touched each other, and which touched which cushions, by name; what set it off first.
 
-    `pressed` has the motions, just before, of balls that the cloth pressed into it (see `pressing`).
+    `pressed` has the motions, just before, of balls that the cloth pressed into it (see `pressing`); `aloft` is whether
+    it was off the cloth.
     """
 
-    __slots__ = ("pairs", "rails", "pressed")
+    __slots__ = ("pairs", "rails", "pressed", "aloft")
 
     def __init__(self, pairs: list[Pair], rails: list[Touch], pressed: list[Motion]) -> None:
         self.pairs = pairs
         self.rails = rails
         self.pressed = pressed
+        self.aloft = False
 
     def bodies(self) -> list[Body]:
         """The balls that touched something, in order."""
@@ -48,12 +52,13 @@ class Met:
 class Contacts:
     """How things that meet on one table part again."""
 
-    __slots__ = ("crowd", "cushions", "materials")
+    __slots__ = ("crowd", "cushions", "materials", "bed")
 
-    def __init__(self, crowd: Crowd, elements: list[Element], materials: Materials) -> None:
+    def __init__(self, crowd: Crowd, elements: list[Element], bed: Bed) -> None:
         self.crowd = crowd
+        self.bed = bed
         self.cushions = [element for element in elements if element.kind == "ball_cushion"]
-        self.materials = materials
+        self.materials = bed.materials
 
     def cushion(self, ball: Body, element: Element, now: float) -> Met:
         """A ball meets a cushion."""
@@ -72,6 +77,8 @@ class Contacts:
 
     def balls(self, a: Body, b: Body, now: float) -> Met:
         """Two balls meet."""
+        if a.aloft() or b.aloft():
+            return self._in_the_air(a, b)
         nx, ny = _toward(a, b)
         pressed = press([Side(a, nx, ny), Side(b, -nx, -ny)], _approach(a, b), now, self.materials.cloth)
         speed = _approach(a, b)
@@ -84,12 +91,35 @@ class Contacts:
             self.materials.ball_law.collide(a, b, self.materials.ball)
         return Met([(a, b)], [], pressed)
 
+    def _in_the_air(self, a: Body, b: Body) -> Met:
+        """Two balls meet of which one is off the cloth; one that lies and is pressed down has its answer at once."""
+        lying = [ball for ball in (a, b) if self.bed.lies(ball)]
+        speed = nearing(a, b)
+        collide(a, b, self.materials.ball)
+        for ball in lying:
+            self.bed.answer(ball)
+        for ball in (a, b):
+            if speed < 2.0 * GENTLE and not self.bed.lies(ball):
+                ball.held += 1
+        met = Met([(a, b)], [], [])
+        met.aloft = True
+        return met
+
+    def solid(self, ball: Body, solid: Solid) -> None:
+        """A ball in the air meets something about the bed."""
+        n = solid.normal(ball.x, ball.y, ball.z + ball.radius)
+        speed = ball.vx * n[0] + ball.vy * n[1] + ball.vz * n[2]
+        if speed < 2.0 * GENTLE:
+            ball.held += 1
+        against(ball, n, solid.surface)
+        glance(ball, n, solid.least(math.hypot(ball.vx, ball.vy)))
+
     def struck(self, ball: Body, stroke: TipImpulse) -> Met:
         """A stroke has sent a ball on its way: where another rests in it, with the tip they are one contact.
 
         Else nothing is met, and nothing changes: what the ball meets later it meets without the tip.
         """
-        speed = math.hypot(ball.vx, ball.vy)
+        speed, up = math.hypot(ball.vx, ball.vy), ball.vz
         room = depth(ball, ball, speed)
         if speed <= NOISE or not linked([ball], self.crowd, room, 0.0):
             return Met([], [], [])
@@ -99,10 +129,12 @@ class Contacts:
         before = [(body, body.velocity()) for body in [ball, *group.balls()]]
         tip = TipSpring(ball, stroke)
         ball.set_velocity((0.0, 0.0, 0.0, 0.0, 0.0))
+        ball.vz = 0.0
         pairs, noses = solve(group, speed, self.materials, tip)
         if not any(ball in pair.balls for pair in pairs):
             for body, velocity in before:
                 body.set_velocity(velocity)
+            ball.vz = up
             return Met([], [], [])
         met = [(pair.a, pair.b) for pair in pairs]
         met.sort(key=lambda pair: ball not in pair)

@@ -132,13 +132,17 @@ class Jaw(Element):
 
 @final
 class Pocket(Element):
-    """The rim over which a ball falls: it drops when its centre is above the rim."""
+    """The rim over which a ball falls: it drops when its centre is above the rim.
 
-    __slots__ = ("x", "y", "radius")
+    (ux, uy) points from the hole's centre to the table.
+    """
 
-    def __init__(self, name: str, x: float, y: float, radius: float) -> None:
+    __slots__ = ("x", "y", "radius", "ux", "uy")
+
+    def __init__(self, name: str, x: float, y: float, radius: float, ux: float = 1.0, uy: float = 0.0) -> None:
         super().__init__("ball_pocket", name)
         self.x, self.y, self.radius = x, y, radius
+        self.ux, self.uy = ux, uy
 
     def time(self, motion: Motion, reach: float, end: float) -> float:
         return time_ball_pocket(motion, self, end)
@@ -172,7 +176,7 @@ def nearest(elements: list[Element], x: float, y: float, radius: float, reach: f
 def time_ball_ball(a: Motion, b: Motion, now: float, end: float, touch: float) -> float:
     """When two balls, both moving as given from `now` to `end`, come within `touch` of each other."""
     s, t = now - a.t0, now - b.t0
-    return now + _time_to_circle(
+    return now + time_to_circle(
         b.x + (b.vx + b.hx * t) * t - a.x - (a.vx + a.hx * s) * s,
         b.y + (b.vy + b.hy * t) * t - a.y - (a.vy + a.hy * s) * s,
         b.vx + 2.0 * b.hx * t - a.vx - 2.0 * a.hx * s,
@@ -180,6 +184,28 @@ def time_ball_ball(a: Motion, b: Motion, now: float, end: float, touch: float) -
         b.hx - a.hx,
         b.hy - a.hy,
         touch - SKIN,
+        end - now,
+    )
+
+
+def time_in_the_air(a: Motion, b: Motion, now: float, end: float, a_radius: float, b_radius: float) -> float:
+    """When two balls touch of which one at least is off the cloth: a quartic in three dimensions."""
+    s, t = now - a.t0, now - b.t0
+    x = b.x + (b.vx + b.hx * t) * t - a.x - (a.vx + a.hx * s) * s
+    y = b.y + (b.vy + b.hy * t) * t - a.y - (a.vy + a.hy * s) * s
+    z = b.z + (b.vz + b.hz * t) * t + b_radius - a.z - (a.vz + a.hz * s) * s - a_radius
+    vx = b.vx + 2.0 * b.hx * t - a.vx - 2.0 * a.hx * s
+    vy = b.vy + 2.0 * b.hy * t - a.vy - 2.0 * a.hy * s
+    vz = b.vz + 2.0 * b.hz * t - a.vz - 2.0 * a.hz * s
+    hx, hy, hz = b.hx - a.hx, b.hy - a.hy, b.hz - a.hz
+    touch = a_radius + b_radius - SKIN
+    return now + entering(
+        x * x + y * y + z * z - touch * touch,
+        2.0 * (x * vx + y * vy + z * vz),
+        vx * vx + vy * vy + vz * vz + 2.0 * (x * hx + y * hy + z * hz),
+        2.0 * (vx * hx + vy * hy + vz * hz),
+        hx * hx + hy * hy + hz * hz,
+        2.0 * touch,
         end - now,
     )
 
@@ -204,7 +230,7 @@ def time_ball_rail(motion: Motion, rail: Rail, reach: float, end: float) -> floa
 
 def time_ball_jaw(motion: Motion, jaw: Jaw, reach: float, end: float) -> float:
     """When, after the motion's start, a ball meets a rounded jaw."""
-    return _time_to_circle(
+    return time_to_circle(
         jaw.x - motion.x, jaw.y - motion.y, -motion.vx, -motion.vy, -motion.hx, -motion.hy,
         jaw.radius + reach - SKIN, end,
     )  # fmt: skip
@@ -212,13 +238,13 @@ def time_ball_jaw(motion: Motion, jaw: Jaw, reach: float, end: float) -> float:
 
 def time_ball_pocket(motion: Motion, pocket: Pocket, end: float) -> float:
     """When, after the motion's start, the centre of a ball passes a pocket's rim."""
-    return _time_to_circle(
+    return time_to_circle(
         pocket.x - motion.x, pocket.y - motion.y, -motion.vx, -motion.vy, -motion.hx, -motion.hy,
         pocket.radius, end,
     )  # fmt: skip
 
 
-def _time_to_circle(x: float, y: float, vx: float, vy: float, hx: float, hy: float, radius: float, end: float) -> float:
+def time_to_circle(x: float, y: float, vx: float, vy: float, hx: float, hy: float, radius: float, end: float) -> float:
     """When the point (x, y) + (vx, vy) t + (hx, hy) t^2 first enters a circle about the origin."""
     # The path is a Bezier curve, within the triangle of its three control points. Where the triangle
     # lies clear of the circle, on one side of its base or wholly before or behind, nothing is met.
@@ -240,7 +266,11 @@ def _time_to_circle(x: float, y: float, vx: float, vy: float, hx: float, hy: flo
     c2 = vx * vx + vy * vy + 2.0 * (x * hx + y * hy)
     c3 = 2.0 * (vx * hx + vy * hy)
     c4 = hx * hx + hy * hy
-    unit = 2.0 * radius
+    return entering(c0, c1, c2, c3, c4, 2.0 * radius, end)
+
+
+def entering(c0: float, c1: float, c2: float, c3: float, c4: float, unit: float, end: float) -> float:
+    """When a squared distance, less its square at contact, falls through zero; `unit` is twice the latter's root."""
     if c0 > unit * TOUCH:
         return first_root(c0, c1, c2, c3, c4, end)
     # In contact: approaching is a hit now; else the contact at t = 0 is divided out.

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
-from typing import final
+from typing import Final, final
 
 from .detect import Element
+from .flight.impact import Surface
 from .laws.law import BallLaw, BallNumbers, CushionLaw, CushionNumbers, Friction
 from .laws.registry import BALL_LAWS, CUSHION_LAWS
 from .motion import ClothNumbers
 from .params import Physics
 
+# A ball that kept all its speed off the slate would hop for ever.
+MOST_BOUNCE: Final = 0.95
+
 
 @final
 class Materials:
-    """The two laws of a table, the numbers that each reads, those of its pockets' facings, and the cloth's."""
+    """The two laws of a table, the numbers that each reads, those of its pockets' facings, and the cloth's.
 
-    __slots__ = ("ball_law", "ball", "cushion_law", "cushion", "facing", "cloth")
+    And, for balls off the cloth, the slate, the rails' top and the liner at the back of the pockets.
+    """
+
+    __slots__ = ("ball_law", "ball", "cushion_law", "cushion", "facing", "cloth", "slate", "rail", "liner")
 
     def __init__(
         self,
@@ -25,6 +32,9 @@ class Materials:
         cushion: CushionNumbers,
         facing: CushionNumbers,
         cloth: ClothNumbers,
+        slate: Surface,
+        rail: Surface,
+        liner: Surface,
     ) -> None:
         self.ball_law = ball_law
         self.ball = ball
@@ -32,6 +42,9 @@ class Materials:
         self.cushion = cushion
         self.facing = facing
         self.cloth = cloth
+        self.slate = slate
+        self.rail = rail
+        self.liner = liner
 
     def of(self, element: Element) -> CushionNumbers:
         """The numbers of a nose or a jaw: a cushion's, or a facing's."""
@@ -62,4 +75,7 @@ def materials(physics: Physics) -> Materials:
             cloth.mu_slide,
         ),
         ClothNumbers(cloth.mu_slide, cloth.mu_roll, cloth.mu_spin, physics.gravity),
+        Surface(min(cloth.bounce, MOST_BOUNCE), cloth.bounce_friction),
+        Surface(physics.rail.restitution, cloth.bounce_friction),
+        Surface(physics.pocket.restitution, physics.pocket.friction),
     )

@@ -13,7 +13,7 @@ from typing import Any, Final, final
 
 from .body import Body
 from .roots import INF
-from .values import POCKETED, RESTING, ROLLING, SLIDING, SPINNING, Ball, Phase
+from .values import AIRBORNE, OFF, POCKETED, RESTING, ROLLING, SLIDING, SPINNING, Ball, Phase
 
 # Below this a slip or a speed is rounding, m/s.
 STILL: Final = 1e-9
@@ -34,17 +34,19 @@ class ClothNumbers:
 
 @final
 class Motion:
-    """One ball from `t0` until `t1`: place quadratic in time, spin linear.
+    """One ball from `t0` until `t1`: place and height quadratic in time, spin linear.
 
     (x, y), (vx, vy), (wx, wy, wz) hold at `t0`; (hx, hy) is half the acceleration, (bx, by) the rate
     of the horizontal spin and `bz` the speed at which |wz| falls. `t1` is where the phase ends by
     itself, infinite for a ball at rest. `end` is where it
-    ends, by itself or at the table; (left, bottom, right, top) is the box of `bound`.
+    ends, by itself or at the table; (left, bottom, right, top) is the box of `bound`. A ball in the air is at the
+    height z and rises at vz, both at `t0`, with hz half its acceleration, until its lowest point is at `floor`; that is
+    infinite where it is in the air still at `t1`. A ball that lies on a rail's top keeps its z.
     """
 
     __slots__ = (
-        "id", "index", "phase", "t0", "t1", "x", "y", "vx", "vy", "hx", "hy", "wx", "wy", "wz", "bx", "by", "bz",
-        "end", "left", "bottom", "right", "top",
+        "id", "index", "phase", "t0", "t1", "x", "y", "z", "vx", "vy", "vz", "hx", "hy", "hz", "wx", "wy", "wz",
+        "bx", "by", "bz", "floor", "end", "left", "bottom", "right", "top",
     )  # fmt: skip
 
     def __init__(
@@ -63,6 +65,10 @@ class Motion:
         self.wx = body.wx
         self.wy = body.wy
         self.wz = body.wz
+        self.z = body.z
+        self.vz = body.vz
+        self.hz = 0.0
+        self.floor = INF
         self.hx = hx
         self.hy = hy
         self.bx = bx
@@ -74,8 +80,9 @@ class Motion:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """What copies and pickles are made of, as compiled classes have to say: all but the box."""
-        ball = Ball(self.id, self.x, self.y, self.vx, self.vy, self.wx, self.wy, self.wz, self.phase)
-        return _restored, (ball, self.index, self.t0, self.t1, self.hx, self.hy, self.bx, self.by, self.bz)
+        ball = self.at(self.t0)
+        rates = (self.hx, self.hy, self.hz, self.bx, self.by, self.bz)
+        return _restored, (ball, self.index, self.t0, self.t1, rates, self.floor)
 
     def move(self, body: Body, t: float) -> None:
         """Bring `body` to where this motion is at time `t`."""
@@ -88,10 +95,17 @@ class Motion:
         body.wy = self.wy + self.by * s
         body.wz = toward_zero(self.wz, self.bz * s)
         body.t = t
+        if self.aloft():
+            body.z = self.z + (self.vz + self.hz * s) * s
+            body.vz = self.vz + 2.0 * self.hz * s
+
+    def aloft(self) -> bool:
+        """Whether the ball is off the cloth: in the air, or on a rail's top."""
+        return self.phase == AIRBORNE or self.z != 0.0
 
     def stays(self) -> bool:
         """Whether the ball stays where it is, at rest or spinning on the spot."""
-        return self.vx == 0.0 == self.vy and self.hx == 0.0 == self.hy
+        return self.vx == 0.0 == self.vy and self.hx == 0.0 == self.hy and self.phase != AIRBORNE
 
     def bound(self, first: float, last: float) -> None:
         """Work out the box that holds the path between two times, s after the start.
@@ -128,13 +142,21 @@ class Motion:
             self.wy + self.by * s,
             toward_zero(self.wz, self.bz * s),
             self.phase,
+            None,
+            None,
+            self.z + (self.vz + self.hz * s) * s,
+            self.vz + 2.0 * self.hz * s,
         )
 
 
 def _restored(
-    ball: Ball, index: int, t0: float, t1: float, hx: float, hy: float, bx: float, by: float, bz: float
+    ball: Ball, index: int, t0: float, t1: float, rates: tuple[float, float, float, float, float, float], floor: float
 ) -> Motion:
-    return Motion(Body(ball, index, 0.0, 0.0), ball.phase, t0, t1, hx, hy, bx, by, bz)
+    hx, hy, hz, bx, by, bz = rates
+    motion = Motion(Body(ball, index, 0.0, 0.0), ball.phase, t0, t1, hx, hy, bx, by, bz)
+    motion.hz = hz
+    motion.floor = floor
+    return motion
 
 
 def toward_zero(value: float, by: float) -> float:
@@ -193,9 +215,19 @@ def finish(motion: Motion, body: Body, cloth: ClothNumbers) -> Motion:
 
 
 def pocketed(body: Body, t: float) -> Motion:
-    """A ball that has left the table, from time `t` on."""
-    body.vx = body.vy = body.wx = body.wy = body.wz = 0.0
-    return Motion(body, POCKETED, t, INF)
+    """A ball that has fallen into a pocket, from time `t` on."""
+    body.z = 0.0
+    return _gone(body, POCKETED, t)
+
+
+def off(body: Body, t: float) -> Motion:
+    """A ball that has left the table, from time `t` on; it stays where it was last seen."""
+    return _gone(body, OFF, t)
+
+
+def _gone(body: Body, phase: Phase, t: float) -> Motion:
+    body.vx = body.vy = body.vz = body.wx = body.wy = body.wz = 0.0
+    return Motion(body, phase, t, INF)
 
 
 def roll(body: Body, ux: float, uy: float) -> None:

@@ -13,7 +13,8 @@ class Cloth:
     mu_slide: float = knob(0.2, 0.01, 1.0, "", "sliding friction of a ball on the cloth")
     mu_roll: float = knob(0.01, 0.001, 0.2, "", "rolling resistance of the cloth")
     mu_spin: float = knob(0.0127, 0.001, 0.5, "", "friction that slows spin about the vertical")
-    bounce: float = knob(0.5, 0.0, 1.0, "", "speed a ball keeps off the slate: when a steep stroke would hop")
+    bounce: float = knob(0.5, 0.0, 1.0, "", "speed a ball keeps off the slate, of which none gives back over 0.95")
+    bounce_friction: float = knob(0.2, 0.0, 1.0, "", "friction of a ball that comes down on the cloth or a rail's top")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +51,23 @@ class FacingKnobs:
 
 
 @dataclass(frozen=True, slots=True)
+class RailKnobs:
+    """The top of the rails, behind the cushions' noses."""
+
+    width: float = knob(0.14, 0.02, 0.5, "m", "width of the rails, from the cushion's nose to their outer edge")
+    height: float = knob(0.0, 0.0, 0.05, "m", "height of the rails' top above the cushion's nose")
+    restitution: float = knob(0.5, 0.0, 0.95, "", "speed a ball keeps that comes down on a rail's top")
+
+
+@dataclass(frozen=True, slots=True)
+class PocketKnobs:
+    """The back of the pockets, which balls meet that come fast or fly."""
+
+    restitution: float = knob(0.1, 0.0, 0.95, "", "speed kept off the back of a pocket")
+    friction: float = knob(0.0, 0.0, 1.0, "", "friction between a ball and the back of a pocket: lifts it out again")
+
+
+@dataclass(frozen=True, slots=True)
 class Cue:
     mass: float = knob(0.54, 0.1, 2.0, "kg", "mass of the cue")
     end_mass: float = knob(0.0085, 0.0, 0.1, "kg", "mass of the shaft's end that moves aside: squirt; 0 is none")
@@ -66,4 +84,6 @@ class Physics:
     ball: BallKnobs = field(default_factory=BallKnobs)
     cushion: CushionKnobs = field(default_factory=CushionKnobs)
     facing: FacingKnobs = field(default_factory=FacingKnobs)
+    rail: RailKnobs = field(default_factory=RailKnobs)
+    pocket: PocketKnobs = field(default_factory=PocketKnobs)
     cue: Cue = field(default_factory=Cue)

@@ -9,6 +9,7 @@ from ..errors import BudgetError
 from .body import Body
 from .detect import Element
 from .event import Event
+from .flight.bed import Bed
 from .params import Physics
 from .rollout import Rollout
 from .values import Ball, Layout, Shot
@@ -26,6 +27,9 @@ class Field(Protocol):
 
     @property
     def elements(self) -> Sequence[Element]: ...
+
+    @property
+    def bed(self) -> Bed: ...
 
     def bodies(self, balls: Sequence[Ball]) -> list[Body]:
         """The balls as the engine moves them, in this order."""
@@ -70,7 +74,7 @@ def simulate(
     """
     layout = table.settle(layout)
     # Sorted, so that the order in which balls are given is of no consequence.
-    world = World(table.bodies(sorted(layout.on_table())), table.physics, list(table.elements))
+    world = World(table.bodies(sorted(layout.on_table())), table.physics, list(table.elements), table.bed)
     if shot is not None:
         world.strike(shot)
     limit = budget if events is None else min(events, budget)

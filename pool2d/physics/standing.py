@@ -31,11 +31,11 @@ class Limits:
 
 
 def in_range(bodies: list[Body], limits: Limits) -> bool:
-    """Whether every number is within its limits."""
+    """Whether every number is within its limits, and every ball at the height of the cloth."""
     place, speed, spin = limits.place, limits.speed, limits.spin
     for body in bodies:
         if not (
-            -place <= body.x <= place and -place <= body.y <= place
+            -place <= body.x <= place and -place <= body.y <= place and body.z == 0.0 and -speed <= body.vz <= speed
             and -speed <= body.vx <= speed and -speed <= body.vy <= speed
             and -spin <= body.wx <= spin and -spin <= body.wy <= spin and -spin <= body.wz <= spin
             and limits.least_radius <= body.radius <= limits.most_radius

@@ -39,13 +39,12 @@ def squirt(side: float, height: float, ball_mass: float, end_mass: float) -> flo
 def hop(shot: Shot, mass: float, physics: Physics) -> tuple[float, float, float, float]:
     """How a ball struck downward would leave the slate: speed up, height, time in the air, way made in it.
 
-    The engine keeps balls on the cloth; this tells a player where that is not so. The ball is driven
-    into the slate at v sin(th) and comes back at e times that; friction with the cloth is left out.
+    What the engine does, in closed form, for who is about to strike: the ball is driven into the slate at
+    v sin(th) and comes back at e times that. Friction with the cloth, which shortens the way, is left out.
     """
-    tilt = math.radians(shot.elevation)
     cue = physics.cue
     offsets = 2.5 * (shot.side**2 + shot.height**2)
-    inertia = 1.0 / cue.mass + (math.cos(tilt) ** 2 + offsets) / mass
+    inertia = 1.0 / cue.mass + (1.0 + offsets) / mass
     speed = (1.0 + cue.tip_restitution) * shot.speed / (inertia * mass)
     return flight(speed, shot.elevation, physics.cloth.bounce, physics.gravity)
 
@@ -65,6 +64,11 @@ def strike(ball: Body, shot: Shot, cue: Cue) -> TipImpulse:
     friction cone allows. With that line e, the tip meets an inertia of |e_xy|^2/m + 5 |r x e|^2 / (2 m)
     (r in radii; the slate takes the vertical part) and the cue one of (d.e)^2/M, so the impulse is
     J = (1 + e_tip) V (d.e) / their sum. For a clean hit this is Alciatore TP A.30 with elevation.
+
+    With the butt raised the ball leaves the tip as one that nothing holds, |e|^2/m, along e: downward, or, where a
+    tip that slips digs under it, upward. What the slate then answers is not in it yet. Two impacts one after the
+    other, the tip's and the slate's, are the bound that holds if the tip is off the ball before the slate has given
+    back, as a hard tip is; a soft one holds a ball down. A level stroke is one in the plane of the cloth.
     """
     a, b = shot.side, shot.height
     tilt = math.radians(shot.elevation)
@@ -83,7 +87,9 @@ def strike(ball: Body, shot: Shot, cue: Cue) -> TipImpulse:
     m_right = -b * along - depth * up
     m_up = depth * right + a * along
     ahead = along * cos + up * sin
-    inertia = (ahead * ahead + right * right + 2.5 * (m_along**2 + m_right**2 + m_up**2)) / ball.mass
+    rise = up * cos - along * sin if sin > 0.0 else 0.0
+    pushed = ahead * ahead + right * right + rise * rise
+    inertia = (pushed + 2.5 * (m_along**2 + m_right**2 + m_up**2)) / ball.mass
     impulse = (1.0 + cue.tip_restitution) * shot.speed * along / (inertia + along * along / cue.mass)
     # To the table's frame turned to the aim: x ahead, y left, z up.
     speed, turn = impulse / ball.mass, 2.5 * impulse / (ball.mass * ball.radius)
@@ -92,6 +98,7 @@ def strike(ball: Body, shot: Shot, cue: Cue) -> TipImpulse:
     aim = math.radians(shot.angle) + squirt(a, b, ball.mass, cue.end_mass)
     ca, sa = math.cos(aim), math.sin(aim)
     ball.vx, ball.vy = vx * ca - vy * sa, vx * sa + vy * ca
+    ball.vz = speed * rise
     ball.wx, ball.wy, ball.wz = wx * ca - wy * sa, wx * sa + wy * ca, wz
     return TipImpulse(clean, impulse, along, shot.speed, cue.mass, cue.tip_restitution)
 
@@ -125,7 +132,7 @@ class TipSpring(SoftSpring):
     and the same moment.
     """
 
-    __slots__ = ("ball", "answer", "speed", "along", "mass", "ease", "push")
+    __slots__ = ("ball", "answer", "rise", "speed", "along", "mass", "ease", "push")
 
     def __init__(self, ball: Body, stroke: TipImpulse) -> None:
         rate = math.pi / CONTACT
@@ -135,6 +142,7 @@ class TipSpring(SoftSpring):
         vx, vy, wx, wy, wz = ball.velocity()
         # What a unit of the impulse does to the ball.
         self.answer = (vx / impulse, vy / impulse, wx / impulse, wy / impulse, wz / impulse)
+        self.rise = ball.vz / impulse
         self.speed = stroke.speed
         self.along = stroke.along
         self.mass = stroke.mass
@@ -172,12 +180,13 @@ class TipSpring(SoftSpring):
         """How fast the place where the tip meets the ball moves along the line of the stroke, m/s."""
         ball, (vx, vy, wx, wy, wz) = self.ball, self.answer
         turn = 0.4 * ball.radius * ball.radius * (wx * ball.wx + wy * ball.wy + wz * ball.wz)
-        return ball.mass * (vx * ball.vx + vy * ball.vy + turn)
+        return ball.mass * (vx * ball.vx + vy * ball.vy + turn + self.rise * ball.vz)
 
     def _give(self, impulse: float) -> None:
         ball, (vx, vy, wx, wy, wz) = self.ball, self.answer
         ball.vx += impulse * vx
         ball.vy += impulse * vy
+        ball.vz += impulse * self.rise
         ball.wx += impulse * wx
         ball.wy += impulse * wy
         ball.wz += impulse * wz

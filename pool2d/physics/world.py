@@ -11,14 +11,15 @@ from ..errors import InputError
 from .body import Body
 from .contact import Contacts, Met
 from .crowd import Crowd
-from .detect import Element, time_ball_ball
+from .detect import Element, Pocket, time_ball_ball, time_in_the_air
 from .event import Event
-from .materials import materials
-from .motion import Motion, finish, pocketed, start
+from .flight.bed import PATIENCE, Bed
+from .flight.solids import Solid
+from .motion import Motion, finish, off, pocketed, start
 from .params import Physics
 from .roots import INF
 from .strike import strike
-from .values import MISCUE, POCKETED, ROLLING, SLIDING, SPINNING, EventKind, Phase, Shot
+from .values import AIRBORNE, MISCUE, OFF, POCKETED, ROLLING, SLIDING, SPINNING, EventKind, Phase, Shot
 
 # The event with which a phase ends by itself.
 _ENDS: Final[dict[Phase, EventKind]] = {SLIDING: "sliding_rolling", ROLLING: "rolling_resting", SPINNING: "spin_end"}
@@ -29,14 +30,15 @@ class World:
     """The balls in motion and the queue of what may happen to them.
 
     A queue entry is (time, ball, other, version of ball, version of other), where `other` is a ball,
-    -1 for the ball's own change of phase, -2 - e for table element e, or `again` where the ball has to look for others
-    once more. An entry whose versions are
+    -1 for the ball's own change of phase, -2 - e for table element e or, after those, for what stands about the bed off
+    the cloth, or `again` where the ball has to look for others once more. An entry whose versions are
     not the present ones is stale: the ball has moved otherwise since.
     """
 
     __slots__ = (
         "physics",
         "elements",
+        "bed",
         "again",
         "cloth",
         "now",
@@ -48,18 +50,18 @@ class World:
         "tracks",
     )
 
-    def __init__(self, bodies: list[Body], physics: Physics, elements: list[Element]) -> None:
+    def __init__(self, bodies: list[Body], physics: Physics, elements: list[Element], bed: Bed) -> None:
         self.physics = physics
         self.elements = elements
-        self.again = -2 - len(self.elements)
-        made = materials(self.physics)
-        self.cloth = made.cloth
+        self.bed = bed
+        self.again = -2 - len(self.elements) - len(self.bed.solids)
+        self.cloth = bed.materials.cloth
         self.now = 0.0
         self.events: list[Event] = []
         self.queue: list[tuple[float, int, int, int, int]] = []
-        motions = [start(body, 0.0, self.cloth) for body in bodies]
+        motions = [self.go_on(body) for body in bodies]
         self.crowd = Crowd(bodies, motions)
-        self.contacts = Contacts(self.crowd, self.elements, made)
+        self.contacts = Contacts(self.crowd, self.elements, bed)
         self.version = [0] * len(bodies)
         self.tracks = [[motion] for motion in motions]
         for body in bodies:
@@ -73,6 +75,7 @@ class World:
         if shot.speed > 0.0:
             stroke = strike(body, shot, self.physics.cue)
             met = self.contacts.struck(body, stroke)
+            self.bed.answer(body)
             others = [other for other in met.bodies() if other.index != body.index]
             pairs, rails, where = _names(met)
             self.record("cue_ball", where if stroke.clean else MISCUE, [body, *others], None, pairs, rails)
@@ -113,21 +116,73 @@ class World:
         if other >= 0:
             self.touched(self.contacts.balls(body, self.crowd.bring(other, self.now), self.now))
             return
-        element = self.elements[-2 - other]
-        if element.kind == "ball_pocket":
-            self.record(element.kind, element.name, [body], [pocketed(body, self.now)])
+        place = -2 - other
+        if place >= len(self.elements):
+            self.meet_aloft(body, self.bed.solids[place - len(self.elements)])
+            return
+        element = self.elements[place]
+        if isinstance(element, Pocket):
+            if self.bed.keeps(body, element):
+                self.record(element.kind, element.name, [body], [pocketed(body, self.now)])
+            else:
+                self.fall(body)
         else:
             self.touched(self.contacts.cushion(body, element, self.now))
 
     def change_phase(self, i: int) -> None:
         """Let ball i go on where its motion has run out."""
         body, old = self.crowd.bodies[i], self.crowd.motion[i]
+        if old.phase == AIRBORNE:
+            self.come_down(body, old)
+            return
         motion = finish(old, body, self.cloth)
+        if body.z != 0.0 and motion.stays():
+            # At rest on a rail's top it is off the table.
+            self.record("ball_off", self.bed.ground.beside(body.x, body.y), [body], [off(body, self.now)])
+            return
         if old.coasts():
             self.follow(motion)
             self.predict(i)
         else:
             self.record(_ENDS[old.phase], None, [body], [motion])
+
+    def go_on(self, body: Body) -> Motion:
+        """How a ball goes on from its present state: on what it lies on, or in the air."""
+        if body.aloft() and not self.bed.lies(body):
+            return self.bed.fall(body, self.now)
+        return start(body, self.now, self.cloth)
+
+    def fall(self, body: Body) -> None:
+        """Let a ball go on in the air that nothing is under any more."""
+        self.follow(self.bed.fall(body, self.now))
+        self.predict(body.index)
+
+    def come_down(self, body: Body, motion: Motion) -> None:
+        """A flying ball comes down on the bed, on a rail's top, or in a pocket."""
+        motion.move(body, self.now)
+        if motion.floor < 0.0:
+            self.record("ball_pocket", self.bed.pocket(body).name, [body], [pocketed(body, self.now)])
+            return
+        where = self.bed.ground.beside(body.x, body.y) if motion.floor > 0.0 else None
+        self.bed.land(body, motion.floor)
+        self.record("ball_slate", where, [body])
+
+    def meet_aloft(self, body: Body, solid: Solid) -> None:
+        """A ball off the cloth comes to something about the bed."""
+        if solid.kind is None:
+            self.fall(body)
+        elif solid.kind == "ball_off":
+            self.record(solid.kind, solid.name, [body], [off(body, self.now)])
+        else:
+            self.contacts.solid(body, solid)
+            self.record(solid.kind, solid.name, [body], None, (), ((body.id, solid.name),))
+            self.give_up([body])
+
+    def give_up(self, bodies: list[Body]) -> None:
+        """A ball that others, or an edge, have held up for long is at rest there: off the table."""
+        for body in bodies:
+            if body.held > PATIENCE:
+                self.record("ball_off", None, [body], [off(body, self.now)])
 
     def touched(self, met: Met) -> None:
         """Note a contact, or several that were one."""
@@ -136,6 +191,8 @@ class World:
         pairs, rails, where = _names(met)
         kind: EventKind = "cluster" if len(pairs) + len(rails) > 1 else "ball_ball" if pairs else "ball_cushion"
         self.record(kind, where, met.bodies(), None, pairs, rails)
+        if met.aloft:
+            self.give_up(met.bodies())
 
     def record(
         self,
@@ -148,7 +205,7 @@ class World:
     ) -> None:
         """Note an event, and let its bodies go on from their present state."""
         if new is None:
-            new = [start(body, self.now, self.cloth) for body in bodies]
+            new = [self.go_on(body) for body in bodies]
         old = [self.crowd.motion[body.index] for body in bodies]
         self.events.append(Event(self.now, kind, where, old, new, pairs, rails))
         for motion in new:
@@ -169,9 +226,11 @@ class World:
         also bounds what is found for a pair: where the other ball's motion ends, it is asked again.
         """
         motion = self.crowd.motion[i]
-        if motion.phase == POCKETED:
+        if motion.phase == POCKETED or motion.phase == OFF:
             return
-        if not motion.stays():
+        if motion.aloft():
+            self.meet_solids(motion, self.crowd.bodies[i].radius)
+        elif not motion.stays():
             self.meet_table(motion, self.crowd.bodies[i].reach)
         elif motion.end < INF:
             heappush(self.queue, (motion.end, i, -1, self.version[i], 0))
@@ -190,8 +249,12 @@ class World:
         for other in self.crowd.near(motion.left - far, motion.bottom - far, motion.right + far, motion.top + far):
             if stays and other.stays():
                 continue
-            touch = 2.0 * math.sqrt(body.radius * self.crowd.bodies[other.index].radius)
-            t = time_ball_ball(motion, other, now, min(until, other.t1), touch)
+            radius = self.crowd.bodies[other.index].radius
+            last = min(until, other.t1)
+            if motion.aloft() or other.aloft():
+                t = time_in_the_air(motion, other, now, last, body.radius, radius)
+            else:
+                t = time_ball_ball(motion, other, now, last, 2.0 * math.sqrt(body.radius * radius))
             if t < INF:
                 a, b = min(i, other.index), max(i, other.index)
                 heappush(self.queue, (t, a, b, self.version[a], self.version[b]))
@@ -209,6 +272,20 @@ class World:
                 t = now + element.time(motion, reach, s)
                 if t < motion.end:
                     motion.end, own = t, -2 - index
+        heappush(self.queue, (motion.end, motion.index, own, self.version[motion.index], 0))
+
+    def meet_solids(self, motion: Motion, radius: float) -> None:
+        """Queue where a motion off the cloth ends, by itself or at what stands about the bed."""
+        own, first = -1, -2 - len(self.elements)
+        s = motion.t1 - motion.t0
+        motion.bound(0.0, s)
+        left, bottom = motion.left - radius, motion.bottom - radius
+        right, top = motion.right + radius, motion.top + radius
+        for index, solid in enumerate(self.bed.solids):
+            if solid.left <= right and left <= solid.right and solid.bottom <= top and bottom <= solid.top:
+                t = motion.t0 + solid.time(motion, radius, motion.end - motion.t0)
+                if t < motion.end:
+                    motion.end, own = t, first - index
         heappush(self.queue, (motion.end, motion.index, own, self.version[motion.index], 0))
 
 

@@ -201,7 +201,7 @@ def _drop(corner: Corner, turn: float, towards: Point, knobs: CornerKnobs | Side
     ux = towards[0] * math.cos(half) - towards[1] * math.sin(half)
     uy = towards[0] * math.sin(half) + towards[1] * math.cos(half)
     place = knobs.mouth / (2.0 * math.tan(half)) - knobs.shelf - knobs.drop_radius
-    return Pocket(corner.pocket, corner.x + ux * place, corner.y + uy * place, knobs.drop_radius)
+    return Pocket(corner.pocket, corner.x + ux * place, corner.y + uy * place, knobs.drop_radius, ux, uy)
 
 
 def _arc(centre: Point, start: Point, end: Point, steps: int = 6) -> list[Point]:

@@ -77,6 +77,23 @@ def sides(corners: Sequence[Corner]) -> list[Edge]:
     return edges([corner for i, corner in enumerate(corners) if abs(turn_at(corners, i) - math.pi) > _SAME])
 
 
+def widened(corners: Sequence[Corner], by: float) -> list[Point]:
+    """The corners of an outline whose edges all lie further out by so much, m: a rail's outer edge."""
+    found = []
+    for i, here in enumerate(corners):
+        before, after = corners[i - 1], corners[(i + 1) % len(corners)]
+        (ax, ay), (bx, by_) = _outward(before, here), _outward(here, after)
+        part = by / (1.0 + ax * bx + ay * by_)
+        found.append((here.x + part * (ax + bx), here.y + part * (ay + by_)))
+    return found
+
+
+def _outward(a: Corner, b: Corner) -> Point:
+    """The unit vector across an edge, away from the playing surface on its left."""
+    length = math.hypot(b.x - a.x, b.y - a.y)
+    return (b.y - a.y) / length, (a.x - b.x) / length
+
+
 def distance_to_edge(x: float, y: float, edge: Edge) -> float:
     """How far a point is from an edge."""
     a, b = edge

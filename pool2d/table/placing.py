@@ -10,6 +10,7 @@ from ..config.knobs import Knob
 from ..errors import InputError
 from ..physics.body import Body
 from ..physics.detect import Element, Pocket
+from ..physics.flight.bed import Bed
 from ..physics.standing import Limits, in_range, stand_apart
 from ..physics.values import GONE, MOTION_FIELDS, Ball, Layout
 from .table_knobs import Knobs
@@ -48,7 +49,7 @@ _LIMITS = Limits(
 )
 
 
-class Bed(Protocol):
+class PlacingTable(Protocol):
     """What a table answers to who would put balls on it; see `table.Table`."""
 
     source: str
@@ -57,6 +58,9 @@ class Bed(Protocol):
 
     @property
     def elements(self) -> Sequence[Element]: ...
+
+    @property
+    def bed(self) -> Bed: ...
 
     def body_of(self, ball: Ball) -> tuple[float, float]: ...
 
@@ -81,7 +85,7 @@ def check_id(name: object, source: str, key: str) -> str:
     return name
 
 
-def settle(table: Bed, layout: Layout) -> Layout:
+def settle(table: PlacingTable, layout: Layout) -> Layout:
     """The layout with its balls exactly where they may stand.
 
     Raises InputError for a number out of range, a ball off the table, in a pocket or a cushion, and
@@ -93,6 +97,7 @@ def settle(table: Bed, layout: Layout) -> Layout:
     if _plain(table, given):
         return layout
     # Ball by ball, for what is to be told, or to be set apart.
+    given = _check_aloft(table, given)
     gaps = [_check(table, ball) for ball in given]
     apart = all(gap >= -CLOSE for gap in gaps)
     close = _neighbours(table, given)
@@ -102,7 +107,7 @@ def settle(table: Bed, layout: Layout) -> Layout:
     return layout if apart else layout.put(*_set_apart(table, given, close))
 
 
-def _plain(table: Bed, balls: list[Ball]) -> bool:
+def _plain(table: PlacingTable, balls: list[Ball]) -> bool:
     """Whether all is well at a quick look: most layouts are played again and again."""
     try:
         bodies = table.bodies(balls)
@@ -112,7 +117,7 @@ def _plain(table: Bed, balls: list[Ball]) -> bool:
         return False
 
 
-def mirrored(table: Bed, layout: Layout, ends: bool = False) -> Layout:
+def mirrored(table: PlacingTable, layout: Layout, ends: bool = False) -> Layout:
     """The layout seen in a mirror: its sides swapped, or its ends.
 
     Raises InputError where the table is not as symmetric.
@@ -129,8 +134,30 @@ def _at_rest(ball: Ball) -> Ball:
     return ball.still()._replace(phase=ball.phase) if ball.phase in GONE else ball.still()
 
 
-def _check(table: Bed, ball: Ball) -> float:
-    """The room between a ball and the nearest element, m; raises InputError where the ball may not stand."""
+def _check_aloft(table: PlacingTable, given: list[Ball]) -> list[Ball]:
+    """The balls that lie on the cloth; raises InputError where one off it may not be where it is."""
+    for ball in given:
+        if ball.z != 0.0:
+            _check_numbers(table, ball)
+            radius = table.body_of(ball)[0]
+            room, what = table.bed.room(ball.x, ball.y, ball.z, radius)
+            for other in given:
+                if other.id != ball.id and (gap := _room_between(table, ball, other)) < room:
+                    room, what = gap, f"ball {other.id}"
+            if room < -SLACK:
+                allowed = f"the ball is in {what}, by {-room:.3g} m; allowed is none"
+                raise InputError(table.source, f"balls.{ball.id}.x, y, z", (ball.x, ball.y, ball.z), allowed)
+    return [ball for ball in given if ball.z == 0.0]
+
+
+def _room_between(table: PlacingTable, a: Ball, b: Ball) -> float:
+    """How far two balls are apart in three dimensions, m."""
+    r, s = table.body_of(a)[0], table.body_of(b)[0]
+    return math.hypot(a.x - b.x, a.y - b.y, a.z + r - b.z - s) - r - s
+
+
+def _check_numbers(table: PlacingTable, ball: Ball) -> None:
+    """Raises InputError for a number out of its range."""
     source = table.source
     for name in MOTION_FIELDS:
         RANGES[name].check(getattr(ball, name), source, f"balls.{ball.id}.{name}")
@@ -141,6 +168,12 @@ def _check(table: Bed, ball: Ball) -> float:
     if nose >= 2.0 * radius:
         allowed = f"a ball must be higher than the cushion's nose, {nose:g} m"
         raise InputError(source, f"balls.{ball.id}.radius", radius, allowed)
+
+
+def _check(table: PlacingTable, ball: Ball) -> float:
+    """The room between a ball and the nearest element, m; raises InputError where the ball may not stand."""
+    _check_numbers(table, ball)
+    source, radius = table.source, table.body_of(ball)[0]
     if not table.on_cloth(ball.x, ball.y):
         knobs, reach = table.knobs.table, table.reach(radius)
         allowed = (
@@ -156,7 +189,7 @@ def _check(table: Bed, ball: Ball) -> float:
     return gap
 
 
-def _overlap(table: Bed, a: Ball, b: Ball) -> float:
+def _overlap(table: PlacingTable, a: Ball, b: Ball) -> float:
     """How far two balls are drawn into each other; raises InputError where that is more than rounding."""
     overlap = table.touch(a, b) - math.hypot(a.x - b.x, a.y - b.y)
     if overlap > 2.0 * SLACK:
@@ -165,7 +198,7 @@ def _overlap(table: Bed, a: Ball, b: Ball) -> float:
     return overlap
 
 
-def _neighbours(table: Bed, balls: Sequence[Ball]) -> list[list[int]]:
+def _neighbours(table: PlacingTable, balls: Sequence[Ball]) -> list[list[int]]:
     """For each ball the earlier ones that it may come to touch while balls are set apart, by their places."""
     far = _REACH + max([2.0 * table.body_of(ball)[0] for ball in balls], default=0.0)
     found: list[list[int]] = [[] for _ in balls]
@@ -182,7 +215,7 @@ def _neighbours(table: Bed, balls: Sequence[Ball]) -> list[list[int]]:
     return found
 
 
-def _set_apart(table: Bed, given: Sequence[Ball], close: Sequence[Sequence[int]]) -> list[Ball]:
+def _set_apart(table: PlacingTable, given: Sequence[Ball], close: Sequence[Sequence[int]]) -> list[Ball]:
     """The balls that had to move out of what they were drawn a hair into, where they are then.
 
     Setting one pair apart presses the next; a rack settles in some tens of rounds. Raises InputError where
@@ -205,13 +238,13 @@ def _set_apart(table: Bed, given: Sequence[Ball], close: Sequence[Sequence[int]]
     raise InputError(table.source, "balls", ids, f"the balls overlap and {what}")
 
 
-def _walled(table: Bed, ball: Ball) -> bool:
+def _walled(table: PlacingTable, ball: Ball) -> bool:
     """Whether a cushion is so near that the ball may be pressed into it."""
     far = table.body_of(ball)[0] + _REACH
     return bool(table.near(ball.x - far, ball.y - far, ball.x + far, ball.y + far))
 
 
-def _out_of_the_wall(table: Bed, ball: Ball, x: list[float], y: list[float], i: int) -> bool:
+def _out_of_the_wall(table: PlacingTable, ball: Ball, x: list[float], y: list[float], i: int) -> bool:
     """Move ball number i out of the cushion that it was drawn into; whether it had to move."""
     gap, element = table.element_gap(x[i], y[i], table.body_of(ball)[0])
     if gap >= -CLOSE or element is None or isinstance(element, Pocket):

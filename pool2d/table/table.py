@@ -19,13 +19,15 @@ from ..config.knobs import apply
 from ..errors import InputError, suggest
 from ..physics.body import Body
 from ..physics.detect import Element, Jaw, Pocket, Rail, nearest, time_ball_ball
+from ..physics.flight.bed import Bed, Ground
+from ..physics.materials import materials
 from ..physics.motion import Motion
 from ..physics.params import Physics
 from ..physics.standing import inside
 from ..physics.values import GONE, MOTION_FIELDS, RESTING, ROLLING, Ball, Layout, Shot
 from .furniture import Furniture, Rack, arrange
 from .geometry import build
-from .outline import scaled
+from .outline import edges, scaled, widened
 from .placing import settle
 from .table_knobs import Knobs
 
@@ -90,6 +92,17 @@ class Table:
     def elements(self) -> tuple[Element, ...]:
         """Noses, jaws and pockets, in the order that `near` counts them."""
         return self.geometry.elements
+
+    @cached_property
+    def bed(self) -> Bed:
+        """What balls meet that leave the cloth, and what everything is made of."""
+        nose, corners = self.knobs.cushion.nose_height, self.geometry.corners
+        sides = [(a.cushion, a.x, a.y, b.x, b.y) for a, b in edges(corners)]
+        outer = widened(corners, self.knobs.rail.width)
+        ends = zip(corners, outer, (*outer[1:], outer[0]), strict=True)
+        edge = [(corner.cushion, *here, *there) for corner, here, there in ends]
+        ground = Ground(self._throats, sides, edge, nose, nose + self.knobs.rail.height, self.geometry.pockets)
+        return Bed(ground, self._elements, materials(self.knobs))
 
     @cached_property
     def rails(self) -> dict[str, list[Element]]:
@@ -191,10 +204,6 @@ class Table:
     def on_cloth(self, x: float, y: float) -> bool:
         """Whether a point is on the playing surface or in a pocket's throat."""
         return self.on_surface(x, y) or inside(x, y, self._throats)
-
-    def ground(self, x: float, y: float) -> float:
-        """How high what lies below a point is above the cloth, m: off the cloth it is the top of the rails."""
-        return 0.0 if self.on_cloth(x, y) else self.knobs.cushion.nose_height
 
     def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:
         """How far a ball here is from the nearest element, and which; infinite where none is near."""

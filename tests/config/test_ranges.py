@@ -24,12 +24,14 @@ from pool2d.table.table_knobs import Knobs
 # By name: from, to.
 ALLOWED: dict[str, tuple[float, float]] = {
     "gravity": (0.1, 30), "cloth.mu_slide": (0.01, 1), "cloth.mu_roll": (0.001, 0.2), "cloth.mu_spin": (0.001, 0.5),
-    "cloth.bounce": (0, 1),
+    "cloth.bounce": (0, 1), "cloth.bounce_friction": (0, 1),
     "ball.radius": (0.01, 0.06), "ball.mass": (0.01, 2), "ball.restitution": (0, 1), "ball.friction": (0, 1),
     "ball.friction_a": (0, 1), "ball.friction_b": (0, 1), "ball.friction_c": (0, 20), "ball.cling": (0, 5),
     "cushion.restitution": (0, 1), "cushion.tangential": (0, 1), "cushion.friction": (0, 1),
     "cushion.nose_height": (0.01, 0.1),
     "facing.restitution": (0, 1), "facing.tangential": (0, 1), "facing.friction": (0, 5),
+    "rail.width": (0.02, 0.5), "rail.height": (0, 0.05), "rail.restitution": (0, 0.95),
+    "pocket.restitution": (0, 0.95), "pocket.friction": (0, 1),
     "cue.mass": (0.1, 2), "cue.end_mass": (0, 0.1), "cue.tip_restitution": (0, 1), "cue.tip_friction": (0.05, 10),
     "table.length": (0.5, 30), "table.width": (0.3, 20), "table.nose_radius": (0, 0.5),
     "corner.mouth": (0.04, 0.3), "corner.angle": (95, 170), "corner.shelf": (0, 0.1), "corner.jaw_radius": (0, 0.2),
@@ -38,7 +40,7 @@ ALLOWED: dict[str, tuple[float, float]] = {
     "side.drop_radius": (0.02, 0.2),
     "sound.volume": (0, 1), "screen.width": (0, 16384), "screen.height": (0, 16384),
     "match.race": (1, 99), "match.breaker": (-2, 1),
-    "x": (-100, 100), "y": (-100, 100), "vx": (-50, 50), "vy": (-50, 50),
+    "x": (-100, 100), "y": (-100, 100), "z": (0, 10), "vx": (-50, 50), "vy": (-50, 50), "vz": (-50, 50),
     "wx": (-1000, 1000), "wy": (-1000, 1000), "wz": (-1000, 1000), "radius": (0.01, 0.06), "mass": (0.01, 2),
 }  # fmt: skip
 LONGEST = {

@@ -206,8 +206,9 @@ def test_the_contacts_of_one_ball_are_told_from_its_side() -> None:
 @pytest.mark.parametrize(("side", "low", "high"), [(0.4, 0.6, 0.65), (-0.4, 0.55, 0.6)])
 def test_a_curve_goes_furthest_between_its_ends(side: float, low: float, high: float) -> None:
     """A massé that bends back: where it turns lies within one motion, before the first cushion."""
-    shot = Shot(angle=4.0 if side > 0.0 else -4.0, speed=4.0, side=side, elevation=50.0)
-    roll = simulate(TABLE, Layout([Ball("cue", 0.5, 0.6)]), shot)
+    hand = math.copysign(1.0, side)
+    ball = Ball("cue", 0.5, 0.6, vx=3.92, vy=0.431 * hand, wx=163.5 * hand, wy=18.0, wz=138.0 * hand)
+    roll = simulate(TABLE, Layout([ball]))
     end = 0.5
     ends = [motion.y for motion in roll.tracks["cue"] if motion.t0 < end] + [roll.at(end)["cue"].y]
     seen = [roll.at(end * step / 4000)["cue"].y for step in range(4001)]

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import pool2d
 from pool2d import Ball, BudgetError, Layout, Shot, Table, load_scenario, simulate
-from pool2d.physics.values import POCKETED, RESTING
+from pool2d.physics.values import AIRBORNE, GONE, OFF, POCKETED, RESTING
 
 from ..checks import assert_sound, energy
 from ..plays import plays, shots
@@ -23,7 +23,7 @@ from ..scenes import Play, break_shot, frozen, random_shot
 TABLE = pool2d.load_table("pool-9ft")
 KINDS = {
     "cue_ball", "ball_ball", "ball_cushion", "ball_pocket",
-    "sliding_rolling", "rolling_resting", "spin_end", "cluster",
+    "sliding_rolling", "rolling_resting", "spin_end", "cluster", "ball_slate", "ball_off",
 }  # fmt: skip
 FROZEN = frozen(TABLE)
 
@@ -126,13 +126,16 @@ def test_nothing_is_lost_on_the_way(play: Play) -> None:
             if mine and (mine[0].t, mine[0].after[ball_id]) == (new.t0, after):
                 assert mine.pop(0).before[ball_id] == before
             else:
-                assert new.coasts() or old.coasts()
+                assert new.coasts() or old.coasts() or new.phase == AIRBORNE
         assert not mine
     for event in roll.events:
         assert event.before.keys() == event.after.keys() == set(event.balls)
         assert all(ball.phase == POCKETED for ball in event.after.values()) == (event.kind == "ball_pocket")
-        kind = "ball_cushion" if event.rails else event.kind
+        assert all(ball.phase == OFF for ball in event.after.values()) == (event.kind == "ball_off")
+        kind = "ball_pocket" if event.kind == "ball_pocket" else "ball_cushion"
         names = {element.name for element in TABLE.elements if element.kind == kind} or {"miscue"}
+        # The air has more: the backs of pockets, and the rims of their holes.
+        names |= {solid.name for solid in TABLE.bed.solids if event.kind != "ball_pocket"}
         slipped = (event.kind, event.where) == ("cue_ball", "miscue")
         assert slipped or event.where is None or names.issuperset(event.where.split(", "))
         assert event.where is not None or not event.rails
@@ -181,7 +184,7 @@ def random_shots(table: Table, count: int) -> Iterator[pool2d.Rollout]:
 def test_a_thousand_random_shots_end() -> None:
     hits = drops = 0
     for roll in random_shots(TABLE, 1000):
-        assert {ball.phase for ball in roll.layout().values()} <= {RESTING, POCKETED}
+        assert {ball.phase for ball in roll.layout().values()} <= {RESTING, *GONE}
         assert not roll.truncated
         assert len(roll.events) < 2000
         hits += sum(event.kind in ("ball_ball", "cluster") for event in roll.events)

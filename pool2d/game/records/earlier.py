@@ -20,6 +20,8 @@ _STATE = frozenset({
     "trial", "phase", "run", "left", "snookers", "tied", "before", "was", "freed", "misses", "innings", "best",
     "last", "zone",
 })  # fmt: skip
+# So many fields a ball had, which had no height.
+_BALL = 11
 _TALLY = ("frames", "points", "strokes", "innings", "pots", "fouls", "run", "best")
 
 
@@ -27,7 +29,7 @@ def digest(match: Match) -> str:
     """A fingerprint of where a match stands: the state of the game, every bit of the balls, the tallies."""
     now = match.now
     state = json.dumps(_held(now.state.as_dict()), sort_keys=True)
-    balls = list(map(tuple, now.layout.values()))
+    balls = [tuple(ball)[:_BALL] for ball in now.layout.values()]
     tallies = ", ".join(map(_told, now.tallies)) + ("," if len(now.tallies) == 1 else "")
     return hashlib.sha256(f"({state!r}, {balls!r}, ({tallies}))".encode()).hexdigest()[:16]
 
