@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -10,43 +11,57 @@ import pygame
 
 from ..config.settings import GUIDES
 from ..physics.event import Event
-from ..physics.motion import Motion
 from ..physics.rollout import Rollout
-from ..physics.values import AIRBORNE, POCKETED, ROLLING, SLIDING, Ball, EventKind, Phase
+from ..physics.values import AIRBORNE, GONE, OFF, POCKETED, ROLLING, SLIDING, Ball, EventKind, Phase
+from ..table.flights import Cleared
 from ..table.furniture import Look
 from ..table.table import Table
-from . import pen, theme
+from . import pen, text, theme
 from .balls import ball_art
 from .view import View
+from .ways import WITHIN, Line, Way, dashes, joined, ways
 
 # The levels, as the settings name them in this order.
-OFF, LINE, GHOST, WHOLE = range(len(GUIDES))
+NONE, LINE, GHOST, WHOLE = range(len(GUIDES))
 # No more events than these are waited for, but for the whole guide: out of a rack a ball may be long in getting on.
 EVENTS = 25
-# How far a path that is drawn may be from where the ball goes, px, and one that is asked for, m: less than is seen.
-_PIXELS, _WITHIN = 0.3, 0.0003
+# How far a path that is drawn may be from where the ball goes, px.
+_PIXELS = 0.3
 # How far the cue ball's way after the contact is followed, m.
 _AFTER = 0.6
 # How far a line is lighter than its ball, from the ball's own colour to white.
 _LIFT = 0.35
 _MOVING: tuple[Phase, ...] = (SLIDING, ROLLING, AIRBORNE)
 _MEETINGS: tuple[EventKind, ...] = ("ball_ball", "ball_cushion", "ball_pocket", "ball_off", "cluster")
-
-Line = list[tuple[float, float]]
+# The dashes of a way through the air, and between them, px; how large a landing's mark is, and what is written of a
+# ball that is cleared, px.
+_DASH, _GAP, _MARK, _SMALL = 7.0, 5.0, 3.2, 13
 
 
 @dataclass(frozen=True, slots=True)
 class Guide:
-    """The paths of a shot that is aimed, as points in m.
+    """The ways of a shot that is aimed, in their parts.
 
-    The cue ball's to its first contact with a ball; `ghost` is the cue ball there; `after` its path on, `object`
-    that of the ball it hits, up to what that meets or to where it rests.
+    The cue ball's to its first contact with a ball; `ghost` is the cue ball there; its way on after that, and that of
+    the ball it hits, up to what that meets or to where it rests. `cue`, `after` and `object` are the same as lines, m.
     """
 
-    cue: Line
+    cue_ways: list[Way]
     ghost: Ball | None
-    after: Line
-    object: Line
+    after_ways: list[Way]
+    object_ways: list[Way]
+
+    @property
+    def cue(self) -> Line:
+        return joined(self.cue_ways)
+
+    @property
+    def after(self) -> Line:
+        return joined(self.after_ways)
+
+    @property
+    def object(self) -> Line:
+        return joined(self.object_ways)
 
 
 class Enough:
@@ -86,18 +101,18 @@ class Enough:
 
 
 @lru_cache(maxsize=4)
-def foresee(rollout: Rollout, cue: str, length: float = _AFTER, within: float = _WITHIN) -> Guide:
+def foresee(rollout: Rollout, cue: str, length: float = _AFTER, within: float = WITHIN) -> Guide:
     """The guide of a rollout, its paths good to `within` m; the cue ball is followed for `length` m after contact."""
     contact = next((event for event in rollout.events if hit(event, cue)), None)
     if contact is None:
-        return Guide(trace(rollout, cue, within=within), None, [], [])
+        return Guide(ways(rollout, cue, within=within), None, [], [])
     ball = hit(contact, cue)
     met = next((event.t for event in rollout.events if event.t > contact.t and _meets(event, ball)), math.inf)
     return Guide(
-        trace(rollout, cue, end=contact.t, within=within),
+        ways(rollout, cue, end=contact.t, within=within),
         rollout.ball_at(cue, contact.t),
-        trace(rollout, cue, start=contact.t, length=length, within=within),
-        trace(rollout, ball, start=contact.t, end=met, within=within),
+        ways(rollout, cue, start=contact.t, length=length, within=within),
+        ways(rollout, ball, start=contact.t, end=met, within=within),
     )
 
 
@@ -110,47 +125,35 @@ def _meets(event: Event, ball: str) -> bool:
     return event.kind in _MEETINGS and ball in event.balls
 
 
-def trace(
-    rollout: Rollout,
-    ball: str,
-    start: float = 0.0,
-    end: float = math.inf,
-    length: float = math.inf,
-    within: float = _WITHIN,
-) -> Line:
-    """The path of a ball between two times, s, as points, m; cut off after `length` m.
-
-    The straight lines between the points are nowhere farther than `within` m from where the ball goes.
-    """
-    points: Line = []
-    track = rollout.tracks[ball]
-    ends = [*(motion.t0 for motion in track[1:]), rollout.duration]
-    for motion, last in zip(track, ends, strict=True):
-        t0, t1 = max(start, motion.t0), min(end, last)
-        if t0 < t1 and not motion.stays():
-            steps = _steps(motion, t0, t1, within)
-            # It begins where the last has ended.
-            first = 1 if points else 0
-            points += [motion.place(t0 + (t1 - t0) * step / steps) for step in range(first, steps + 1)]
-    return _cut(points, length)
-
-
-def draw(surface: pygame.Surface, guide: Guide, level: int, table: Table, view: View) -> None:
-    """Draw as much of the guide as `level` says, from LINE up."""
+def draw(
+    surface: pygame.Surface,
+    guide: Guide,
+    level: int,
+    table: Table,
+    view: View,
+    over: Sequence[tuple[Ball, Cleared]] = (),
+) -> None:
+    """Draw as much of the guide as `level` says, from LINE up; `over` are balls that it jumps, in their places."""
     scale = _scale(view)
-    lines = [_line(theme.GUIDE_CUE, guide.cue, view, 2.2 * scale)]
+    drawn = [(theme.GUIDE_CUE, guide.cue_ways, 2.2 * scale)]
     if level == GHOST:
         # Above it, the ways on are among those of the whole shot.
-        lines.append(_line(theme.GUIDE_CUE, guide.after, view, 1.8 * scale))
-        lines.append(_line(theme.GUIDE_BALL, guide.object, view, 2.4 * scale))
-    pen.paths(surface, lines)
+        drawn.append((theme.GUIDE_CUE, guide.after_ways, 1.8 * scale))
+        drawn.append((theme.GUIDE_BALL, guide.object_ways, 2.4 * scale))
+    _ways(surface, drawn, view)
+    for ball, cleared in over:
+        x, y = view.to_screen(ball.x, ball.y)
+        radius = table.body_of(ball)[0] * view.scale
+        pen.ring(surface, theme.GUIDE_AIR, (x, y), radius + 2.0 * scale, 1.4 * scale)
+        told = f"{1000.0 * cleared.gap:.0f} mm"
+        text.draw(surface, told, round(_SMALL * scale), theme.GUIDE_AIR, (x, y - radius - 4.0 * scale), (0.5, 1.0))
     if guide.ghost is None or level < GHOST:
         return
     radius = table.body_of(guide.ghost)[0] * view.scale
     centre = view.to_screen(guide.ghost.x, guide.ghost.y)
     pen.disc(surface, (*theme.GUIDE_CUE[:3], 56), centre, radius)
     pen.ring(surface, theme.GUIDE_CUE, centre, radius - 0.5, 1.4 * scale)
-    if level == GHOST and guide.object:
+    if level == GHOST and guide.object_ways:
         pen.disc(surface, theme.GUIDE_BALL, view.to_screen(*guide.object[-1]), 3.0 * scale)
 
 
@@ -163,7 +166,7 @@ def draw_whole(
     others: theme.Color | None = None,
     style: theme.Style = theme.PLAIN,
 ) -> None:
-    """Draw every ball's path to its end, and where it rests or which pocket it falls into.
+    """Draw every ball's path to its end, and where it rests, leaves the table, or which pocket it falls into.
 
     The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own.
     """
@@ -171,14 +174,40 @@ def draw_whole(
     struck = next((event.balls[:1] for event in rollout.events if event.kind == "cue_ball"), ())
     moved = [ball for ball in rollout.layout().values() if len(rollout.tracks.get(ball.id, ())) > 1]
     colors = [cue if ball.id in struck else others or _own(ball_art.look_of(table, ball.id), style) for ball in moved]
-    ways = [trace(rollout, ball.id, within=fineness(view)) for ball in moved]
-    pen.paths(surface, [_line(color, way, view, 1.8 * scale) for color, way in zip(colors, ways, strict=True)])
+    found = [ways(rollout, ball.id, within=fineness(view)) for ball in moved]
+    _ways(surface, [(color, way, 1.8 * scale) for color, way in zip(colors, found, strict=True)], view)
     for color, ball in zip(colors, moved, strict=True):
+        centre, radius = view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale
         if ball.phase == POCKETED:
-            radius = table.body_of(ball)[0] * view.scale
-            pen.ring(surface, color, view.to_screen(ball.x, ball.y), radius, 2.0 * scale)
-    rests = [ball_art.ghost_of(table, view, ball) for ball in moved if ball.phase != POCKETED]
+            pen.ring(surface, color, centre, radius, 2.0 * scale)
+        elif ball.phase == OFF:
+            _cross(surface, color, centre, 0.7 * radius, 2.0 * scale)
+    rests = [ball_art.ghost_of(table, view, ball) for ball in moved if ball.phase not in GONE]
     ball_art.draw_all(surface, rests, style)
+
+
+def _ways(surface: pygame.Surface, drawn: Sequence[tuple[theme.Color, list[Way], float]], view: View) -> None:
+    """Draw ways, in a colour and width each: dashed where they are aloft, with a mark at each landing."""
+    scale = _scale(view)
+    lines = []
+    for color, parts, width in drawn:
+        for part in parts:
+            line = _line(color, part.points, view, width)
+            if part.aloft:
+                lines += [line._replace(points=dash) for dash in dashes(list(line.points), _DASH * scale, _GAP * scale)]
+            else:
+                lines.append(line)
+    pen.paths(surface, lines)
+    for color, parts, width in drawn:
+        for part in parts:
+            if part.lands:
+                pen.ring(surface, color, view.to_screen(*part.points[-1]), _MARK * scale, 0.7 * width)
+
+
+def _cross(surface: pygame.Surface, color: theme.Color, centre: pen.Point, size: float, width: float) -> None:
+    x, y = centre
+    for side in (-size, size):
+        pen.line(surface, color, (x - size, y - side), (x + size, y + side), width)
 
 
 def fineness(view: View) -> float:
@@ -195,38 +224,6 @@ def _own(look: Look, style: theme.Style) -> theme.Color:
 def _scale(view: View) -> float:
     """How much thicker lines are drawn where the table is seen large."""
     return min(max(1.0, view.scale / 400.0), 2.0)
-
-
-def _steps(motion: Motion, start: float, end: float, within: float) -> int:
-    """How many chords of equal time keep `within` m of a motion's path, a parabola.
-
-    The chord of a step of s seconds leaves it by h_n (s/2)^2, where h_n is the part of half the acceleration across
-    the chord: |h x v| over the speed in the middle of the step. Where the ball turns back, the chord misses the turn by
-    what h has along it too.
-    """
-    hx, hy, time = motion.hx, motion.hy, end - start
-    since = 2.0 * (start - motion.t0)
-    vx, vy = motion.vx + hx * since, motion.vy + hy * since
-    wx, wy = vx + 2.0 * hx * time, vy + 2.0 * hy * time
-    across = abs(hx * vy - hy * vx)
-    turns = hx * vx + hy * vy < 0.0 < hx * wx + hy * wy
-    if not turns and across * time**2 <= 4.0 * within * math.hypot(vx + hx * time, vy + hy * time):
-        return 1
-    most, slowest = math.hypot(hx, hy), min(math.hypot(vx, vy), math.hypot(wx, wy))
-    bend = most if turns or across >= most * slowest else across / slowest
-    return max(1, math.ceil(0.5 * time * math.sqrt(bend / within)))
-
-
-def _cut(points: Line, length: float) -> Line:
-    """The first `length` m of a line."""
-    for i in range(1, len(points)):
-        (ax, ay), (bx, by) = points[i - 1], points[i]
-        step = math.hypot(bx - ax, by - ay)
-        if step > length:
-            part = length / step
-            return [*points[:i], (ax + part * (bx - ax), ay + part * (by - ay))]
-        length -= step
-    return points
 
 
 def _line(color: theme.Color, points: Line, view: View, width: float) -> pen.Path:

@@ -34,6 +34,8 @@ CUE_TIP = (70, 132, 178)
 AREA = (214, 176, 106, 40)
 GUIDE_CUE = (196, 222, 212)
 GUIDE_BALL = (238, 208, 136)
+# What a shot that is aimed jumps over.
+GUIDE_AIR = (255, 255, 236)
 PATH_OLD = (24, 100, 84)
 PATH_COMPARED = (150, 190, 240)
 

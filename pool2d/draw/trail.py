@@ -14,7 +14,7 @@ import pygame
 
 from ..physics.motion import Motion
 from ..physics.rollout import Rollout
-from ..physics.values import ROLLING, SLIDING
+from ..physics.values import AIRBORNE, ROLLING, SLIDING
 from ..table.table import Table
 from .view import View
 
@@ -77,7 +77,7 @@ def _along(track: Sequence[Motion], duration: float, pitch: float) -> Marks:
     places: list[tuple[float, float]] = []
     ahead = 0.5 * pitch
     for motion, end in zip(track, [*(after.t0 for after in track[1:]), duration], strict=True):
-        if motion.phase not in (SLIDING, ROLLING) or end == motion.t0:
+        if motion.phase not in (SLIDING, ROLLING, AIRBORNE) or end == motion.t0:
             continue
         steps = math.ceil((end - motion.t0) / _STEP)
         moments = (motion.t0 + (end - motion.t0) * i / steps for i in range(steps + 1))

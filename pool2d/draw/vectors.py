@@ -1,4 +1,4 @@
-"""Arrows on the balls: how fast they go, how they spin, and where the cue points."""
+"""Arrows on the balls: how fast they go, how they spin, how fast they rise or sink, and where the cue points."""
 
 from __future__ import annotations
 
@@ -24,6 +24,8 @@ SPEED = (250, 250, 246)
 ROLL = (255, 150, 84)
 SIDE = (126, 214, 255)
 CUE = (255, 222, 110)
+RISING = (176, 232, 128)
+SINKING = (236, 150, 206)
 
 
 def draw(surface: pygame.Surface, layout: Layout, table: Table, view: View) -> None:
@@ -36,6 +38,7 @@ def draw(surface: pygame.Surface, layout: Layout, table: Table, view: View) -> N
         _arrow(surface, ROLL, ball, roll_x, roll_y, radius, view, 1.4)
         _axis(surface, ball, roll_x, roll_y, radius, view)
         _arc(surface, ball, radius * ball.wz, radius, view)
+        _upright(surface, ball, radius, view)
 
 
 def draw_cue(surface: pygame.Surface, ball: Ball, shot: Shot, table: Table, view: View) -> None:
@@ -98,6 +101,26 @@ def _arc(surface: pygame.Surface, ball: Ball, side: float, radius: float, view: 
     thick = 1.4 * _thickness(view)
     pen.paths(surface, [pen.Path(SIDE, points[:-1], thick)])
     _head(surface, SIDE, points[-2], _beyond(points[-2], points[-1], 1.0 + 2.0 * thick), thick)
+
+
+def _upright(surface: pygame.Surface, ball: Ball, radius: float, view: View) -> None:
+    """Draw a speed upward or downward: seen from above an arrow is its point, a dot, or its feathers, a cross.
+
+    The ring round it is as far out from the ball as an arrow for that speed would reach.
+    """
+    if abs(ball.vz) < _STILL:
+        return
+    color = RISING if ball.vz > 0.0 else SINKING
+    centre, thick = view.to_screen(ball.x, ball.y), 1.6 * _thickness(view)
+    out = (radius + min(_PER_SPEED * abs(ball.vz), _LONGEST)) * view.scale
+    pen.ring(surface, color, centre, out, thick)
+    size = 0.45 * radius * view.scale
+    if ball.vz > 0.0:
+        pen.disc(surface, color, centre, 0.6 * size)
+        return
+    for side in (-1.0, 1.0):
+        a, b = (centre[0] - size, centre[1] - side * size), (centre[0] + size, centre[1] + side * size)
+        pen.line(surface, color, a, b, thick)
 
 
 def _beyond(a: pen.Point, b: pen.Point, by: float) -> pen.Point:

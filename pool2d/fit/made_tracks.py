@@ -15,7 +15,7 @@ import numpy as np
 
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
-from ..physics.values import Ball, Layout, Shot
+from ..physics.values import GONE, Ball, Layout, Shot
 from ..table.table import Table
 from .track_file import COLUMNS
 from .tracks import Track, TrackedShot
@@ -50,8 +50,8 @@ def watched(name: str, rollout: Rollout, seed: int, noise: float = NOISE, longes
     tracks = {}
     for ball in rollout.start:
         seen = [rollout.ball_at(ball, max(0.0, t - struck)) for t in times.tolist()]
-        # A ball that has fallen is seen no more.
-        seen = [at for at in seen if at.phase != "pocketed"]
+        # A ball that has fallen or left the table is seen no more.
+        seen = [at for at in seen if at.phase not in GONE]
         x, y = (np.array([getattr(at, axis) for at in seen]) for axis in ("x", "y"))
         tracks[ball] = Track(
             times[: len(seen)], x + rng.normal(0.0, noise, len(seen)), y + rng.normal(0.0, noise, len(seen))

@@ -1,4 +1,4 @@
-"""What a layout does not hold: each ball's orientation, and the order in which balls were pocketed."""
+"""What a layout does not hold: each ball's orientation, and the order in which balls were pocketed or went off."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from weakref import WeakKeyDictionary
 
 from ..physics.orientation import BallRotation, Quaternion, product, turn
 from ..physics.rollout import Rollout
-from ..physics.values import POCKETED, Layout
+from ..physics.values import GONE, Layout
 from .actions import Arrange, NextFrame, Stalemate
-from .falling import fallen
+from .falling import gone
 from .match import Moment
 
 # How far the number of a racked ball is from the top, rad, at most and mostly; and how far it is askew.
@@ -19,14 +19,14 @@ _TILT, _SKEW = 0.75, 1.1
 
 
 class BallStates(NamedTuple):
-    """The orientation of each ball, and the pocketed balls in the order in which they fell."""
+    """The orientation of each ball, and the balls that are no longer played in the order in which they went."""
 
     orientations: dict[str, Quaternion]
-    pocketed: list[str]
+    gone: list[str]
 
 
 class OrientationTracker:
-    """Carries the balls' orientations, and the order in which they fell, from shot to shot.
+    """Carries the balls' orientations, and the order in which they went, from shot to shot.
 
     How the balls of a shot turn is a value like the shot: it starts from where the shot shown before it has ended,
     and is remembered as long as the shot exists. Without a shot the balls lie as racked.
@@ -45,11 +45,11 @@ class OrientationTracker:
         if shot is None:
             before = self._before(rollout.start)
             shot = self._shots[rollout] = _Shot(
-                BallRotation(rollout, before.orientations), before.pocketed, fallen(rollout), rollout.layout()
+                BallRotation(rollout, before.orientations), before.gone, gone(rollout), rollout.layout()
             )
         self._shown = shot
-        pocketed = _pocketed(layout)
-        down = [ball for ball in shot.before + fallen(rollout, t) if ball in pocketed]
+        here = _gone(layout)
+        down = [ball for ball in shot.before + gone(rollout, t) if ball in here]
         return BallStates(shot.turning.orientations(t), down)
 
     def follow(self, before: Moment, rollout: Rollout, last: Moment | None) -> None:
@@ -73,7 +73,7 @@ class OrientationTracker:
         orientations, down = racked_orientations(start), []
         if self._shown is not None:
             orientations |= self._shown.turning.orientations(math.inf)
-            down = self._shown.before + self._shown.fallen
+            down = self._shown.before + self._shown.gone
         elif self._racked is not None:
             orientations |= self._racked[1].orientations
         return BallStates(orientations, _order(down, start))
@@ -81,23 +81,23 @@ class OrientationTracker:
     def _rack(self, layout: Layout) -> BallStates:
         shot, self._shown = self._shown, None
         if shot is not None:
-            self._racked = shot.end, BallStates(shot.turning.orientations(math.inf), shot.before + shot.fallen)
+            self._racked = shot.end, BallStates(shot.turning.orientations(math.inf), shot.before + shot.gone)
         if self._racked is None or self._racked[0] is not layout:
             orientations, known = racked_orientations(layout), []
             if self._racked is not None and _moved(self._racked[0], layout) <= 1:
                 # No new rack: a hand has moved a ball, and does not turn it.
                 orientations |= self._racked[1].orientations
-                known = self._racked[1].pocketed
+                known = self._racked[1].gone
             self._racked = layout, BallStates(orientations, _order(known, layout))
         return self._racked[1]
 
 
 class _Shot(NamedTuple):
-    """A shot that was shown: how its balls turn, those pocketed before it and by it, and how it ended."""
+    """A shot that was shown: how its balls turn, those gone before it and by it, and how it ended."""
 
     turning: BallRotation
     before: list[str]
-    fallen: list[str]
+    gone: list[str]
     end: Layout
 
 
@@ -113,8 +113,8 @@ def racked_orientations(layout: Layout) -> dict[str, Quaternion]:
 
 
 def _order(known: list[str], layout: Layout) -> list[str]:
-    """The pocketed balls of a layout in the order in which they fell; first those of which it is not known."""
-    down = _pocketed(layout)
+    """The balls of a layout that are gone, in the order in which they went; first those of which it is not known."""
+    down = _gone(layout)
     order = [ball for ball in known if ball in down]
     return [ball for ball in down if ball not in order] + order
 
@@ -125,5 +125,5 @@ def _moved(before: Layout, after: Layout) -> int:
     return sum(places.get(ball.id) != (ball.x, ball.y) for ball in after.values())
 
 
-def _pocketed(layout: Layout) -> list[str]:
-    return [ball.id for ball in layout.values() if ball.phase == POCKETED]
+def _gone(layout: Layout) -> list[str]:
+    return [ball.id for ball in layout.values() if ball.phase in GONE]

@@ -25,6 +25,7 @@ from .impacts import Impact, SoundKind, impacts
 # How loud a kind is at the most, and the speed at which it is, m/s.
 _LOUDNESS: dict[SoundKind, tuple[float, float]] = {
     "ball": (0.80, 8.0), "cue": (0.32, 6.0), "cushion": (0.45, 4.0), "drop": (0.30, 3.0), "back": (0.08, 1.0),
+    "slate": (0.40, 2.5), "rail": (0.45, 2.5), "floor": (0.55, 4.0),
     "miscue": (0.22, 2.0), "chalk": (0.08, 1.0), "click": (0.06, 1.0),
 }  # fmt: skip
 # The pressure of a click goes about with the speed; an ear that shall hear the soft ones too needs less.
@@ -71,7 +72,7 @@ class Sounds:
     def play_events(self, table: Table, rollout: Rollout, t0: float, t1: float) -> None:
         """Play the sounds of a rollout's events in (t0, t1], s; none where time runs backward or jumps."""
         if self._made:
-            self.play(impacts(rollout, t0, t1), table.knobs.table.length)
+            self.play(impacts(rollout, t0, t1, table.physics.gravity), table.knobs.table.length)
 
     def play(self, sounds: list[Impact], length: float = 1.0) -> None:
         """Start the loudest of these, as many as may sound at once; `length` is the table's, m, for left and right."""

@@ -43,6 +43,9 @@ _SHAFT = (
 )  # fmt: skip
 _RUBBER = ((128.0, 0.040, 0.8), (196.0, 0.030, 0.9), (305.0, 0.018, 0.7))
 _RAIL = ((470.0, 0.013, 0.60), (760.0, 0.009, 0.50), (1300.0, 0.005, 0.40))
+_BED = ((240.0, 0.020, 0.9), (420.0, 0.015, 0.8), (760.0, 0.008, 0.45), (1500.0, 0.005, 0.25), (2900.0, 0.003, 0.12))
+_WOOD = ((390.0, 0.014, 0.5), (820.0, 0.012, 0.9), (1450.0, 0.008, 0.8), (2600.0, 0.004, 0.5))
+_BOARDS = ((82.0, 0.060, 1.0), (131.0, 0.045, 0.9), (247.0, 0.025, 0.5), (520.0, 0.012, 0.3))
 _LEATHER = ((152.0, 0.030, 0.8), (240.0, 0.022, 0.9), (390.0, 0.014, 0.6))
 _BOX = ((174.0, 0.040, 0.5), (292.0, 0.030, 0.9), (455.0, 0.022, 1.0), (810.0, 0.012, 0.8), (1480.0, 0.006, 0.6))
 _TICK = ((1850.0, 0.004, 1.0), (3100.0, 0.003, 0.6))
@@ -86,6 +89,33 @@ def cushion(speed: float, pitch: float, noise: Noise) -> Wave:
     thump = _struck(pulse, _sum(_ring(0.30, _RUBBER, pitch, noise), _ring(0.10, _RAIL, pitch, noise)))
     brush = _dying_noise(0.06, 0.007, noise, 500.0, 2600.0)
     return _sum(_unit(thump), 0.10 * math.pow(speed, 0.3) * _unit(brush))
+
+
+def slate(speed: float, pitch: float, noise: Noise) -> Wave:
+    """A ball comes down on cloth over slate: a short dull knock of stone, the cloth taking its edge off."""
+    pulse = _pulse(0.7e-3 / pitch * math.pow(speed, -0.2))
+    bed = _dying_noise(0.06, 0.008, noise, 200.0, 2400.0)
+    return _struck(pulse, _sum(_ring(0.12, _BED, pitch, noise), 0.8 * _sphere(pitch), 0.10 * bed))
+
+
+def rail(speed: float, pitch: float, noise: Noise) -> Wave:
+    """A ball comes down on the wood of a rail: harder and higher than on the bed."""
+    pulse = _pulse(0.5e-3 / pitch * math.pow(speed, -0.2))
+    wood = _dying_noise(0.05, 0.006, noise, 600.0, 4500.0)
+    return _struck(pulse, _sum(_ring(0.12, _WOOD, pitch, noise), _sphere(pitch), 0.10 * wood))
+
+
+def floor(speed: float, pitch: float, noise: Noise) -> Wave:
+    """A ball falls on boards: a deep blow of the floor, and bounces that come closer and closer."""
+    knocks, at, level = [], 0.0, 1.0
+    # It keeps about half of its speed, so each bounce lasts half as long as the one before.
+    after = 0.26 * float(noise.uniform(0.9, 1.1))
+    for _ in range(4):
+        pulse = _pulse(1.6e-3 / pitch * math.pow(speed * level, -0.2))
+        boards = _struck(pulse, _ring(0.22, _BOARDS, pitch * float(noise.uniform(0.97, 1.03)), noise))
+        knocks.append(_later(level * _unit(boards), at))
+        at, after, level = at + after, 0.5 * after, 0.45 * level
+    return _sum(*knocks)
 
 
 def drop(speed: float, pitch: float, noise: Noise) -> Wave:
@@ -151,6 +181,9 @@ KINDS: dict[SoundKind, Kind] = {
     "ball": Kind(ball, (0.1, 0.3, 1.0, 3.0, 9.0), 4),
     "cue": Kind(cue, (0.5, 2.0, 7.0), 3),
     "cushion": Kind(cushion, (0.3, 1.2, 5.0), 3),
+    "slate": Kind(slate, (0.4, 1.5, 4.0), 3),
+    "rail": Kind(rail, (0.5, 2.5), 3),
+    "floor": Kind(floor, (4.0,), 3),
     "drop": Kind(drop, (1.5, 4.0), 3),
     "back": Kind(back, (1.0,), 3),
     "miscue": Kind(miscue, (1.0, 4.0), 2),

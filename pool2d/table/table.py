@@ -205,6 +205,10 @@ class Table:
         """Whether a point is on the playing surface or in a pocket's throat."""
         return self.on_surface(x, y) or inside(x, y, self._throats)
 
+    def ground(self, x: float, y: float) -> float:
+        """How high what lies below a point is above the cloth, m: off the cloth it is the top of the rails."""
+        return 0.0 if self.on_cloth(x, y) else self.knobs.cushion.nose_height
+
     def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:
         """How far a ball here is from the nearest element, and which; infinite where none is near."""
         return nearest(self._elements, x, y, radius, self.reach(radius))

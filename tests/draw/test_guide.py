@@ -9,7 +9,7 @@ import pygame
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, Table, load_table, simulate
-from pool2d.draw import guide
+from pool2d.draw import guide, ways
 from pool2d.draw.balls import ball_art
 from pool2d.draw.view import fit
 from pool2d.physics.values import POCKETED
@@ -21,7 +21,7 @@ CUE = Ball("cue", 0.635, 0.5)
 CUT = Layout([CUE, Ball("1", 1.5, 0.53)])
 
 
-def angle(line: guide.Line) -> float:
+def angle(line: ways.Line) -> float:
     (ax, ay), (bx, by) = line[0], line[-1]
     return math.degrees(math.atan2(by - ay, bx - ax))
 
@@ -77,7 +77,7 @@ def test_an_elevated_cue_makes_the_path_swerve_back() -> None:
     assert angle(line[1:3]) < angle(line[:2])
 
 
-def distance(point: tuple[float, float], line: guide.Line) -> float:
+def distance(point: tuple[float, float], line: ways.Line) -> float:
     """How far a point is from a line of several pieces."""
     found = math.inf
     for (ax, ay), (bx, by) in pairwise(line):
@@ -106,12 +106,12 @@ BENT = {
 def test_the_chords_of_a_trace_stay_within_what_was_asked(name: str, within: float) -> None:
     rollout = simulate(TABLE, *BENT[name])
     for ball in rollout.tracks:
-        line = guide.trace(rollout, ball, within=within)
+        line = ways.trace(rollout, ball, within=within)
         for motion, after in pairwise(rollout.tracks[ball]):
             end = min(after.t0, motion.t1)
             if motion.t0 < end and not motion.stays():
                 # Its own chords: another part of the way that comes by must not stand in for them.
-                chords = guide.trace(rollout, ball, motion.t0, end, within=within)
+                chords = ways.trace(rollout, ball, motion.t0, end, within=within)
                 assert set(chords[1:]) <= set(line)
                 for step in range(41):
                     place = motion.place(motion.t0 + (end - motion.t0) * step / 40)
@@ -121,11 +121,11 @@ def test_the_chords_of_a_trace_stay_within_what_was_asked(name: str, within: flo
 def test_a_trace_has_few_chords_where_the_way_is_straight() -> None:
     rollout = simulate(TABLE, *BENT["break"])
     moved = [motion for track in rollout.tracks.values() for motion in track if not motion.stays()]
-    chords = sum(len(list(pairwise(guide.trace(rollout, ball)))) for ball in rollout.tracks)
+    chords = sum(len(list(pairwise(ways.trace(rollout, ball)))) for ball in rollout.tracks)
     assert len(moved) <= chords < 3 * len(moved)
     straight = simulate(TABLE, Layout([CUE]), Shot(angle=30.0, speed=0.5))
     assert len(straight.tracks["cue"]) == 4
-    assert [len(guide.trace(straight, "cue", m.t0, m.t1)) for m in straight.tracks["cue"][1:3]] == [2, 2]
+    assert [len(ways.trace(straight, "cue", m.t0, m.t1)) for m in straight.tracks["cue"][1:3]] == [2, 2]
 
 
 def test_the_way_of_the_cue_ball_after_the_contact_is_cut_to_length() -> None:
@@ -163,7 +163,7 @@ def test_what_the_guide_shows_is_the_same_of_as_much_of_a_shot_as_it_asks_for(se
 
 def test_a_trace_meets_the_rollout() -> None:
     rollout = simulate(TABLE, CUT, Shot(angle=1.0, speed=4.0))
-    line = guide.trace(rollout, "1")
+    line = ways.trace(rollout, "1")
     end = rollout.layout()["1"]
     assert line[0] == (CUT["1"].x, CUT["1"].y)
     assert line[-1] == pytest.approx((end.x, end.y), abs=1e-9)

@@ -11,7 +11,7 @@ import pytest
 from benchmarks.random_play import new_match, random_action
 from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
 from pool2d.game.actions import Arrange, Stroke
-from pool2d.game.falling import DROP, ending, fallen, falling
+from pool2d.game.falling import DROP, ending, falling, gone
 from pool2d.game.match import Match
 from pool2d.game.orientations import OrientationTracker, racked_orientations
 from pool2d.game.setup import Setup
@@ -86,9 +86,9 @@ def test_a_fast_ball_is_over_the_middle_of_the_hole_sooner() -> None:
 def test_the_fallen_are_told_in_order_once_they_are_out_of_sight() -> None:
     rollout = two_fall()
     first, second = (event.t for event in rollout.events if event.kind == "ball_pocket")
-    assert fallen(rollout, first + DROP - 1e-6) == []
-    assert fallen(rollout, second) == ["2"]
-    assert fallen(rollout) == ["2", "1"]
+    assert gone(rollout, first + DROP - 1e-6) == []
+    assert gone(rollout, second) == ["2"]
+    assert gone(rollout) == ["2", "1"]
     assert ending(rollout) == max(rollout.duration, second + DROP)
 
 
@@ -135,17 +135,17 @@ def test_a_shot_first_seen_in_its_middle_starts_where_the_last_ended() -> None:
 def test_the_order_of_fall_goes_on_and_comes_back() -> None:
     keeper = OrientationTracker()
     first = two_fall()
-    assert keeper.states(first.start).pocketed == []
-    assert keeper.states(first.layout(), first).pocketed == ["2", "1"]
+    assert keeper.states(first.start).gone == []
+    assert keeper.states(first.layout(), first).gone == ["2", "1"]
     corner = next(name for name in HOLES if "side" not in name)
     layout = first.layout().put(toward("3", corner, 0.4, 1.0))
     second = simulate(TABLE, layout)
-    assert keeper.states(second.at(0.0), second, 0.0).pocketed == ["2", "1"]
-    assert keeper.states(second.layout(), second).pocketed == ["2", "1", "3"]
+    assert keeper.states(second.at(0.0), second, 0.0).gone == ["2", "1"]
+    assert keeper.states(second.layout(), second).gone == ["2", "1", "3"]
     # A ball put back on the table is in the tray no more.
     back = second.layout().put(Ball("1", 1.0, 0.4))
-    assert keeper.states(back, second).pocketed == ["2", "3"]
-    assert keeper.states(first.layout(), first).pocketed == ["2", "1"]
+    assert keeper.states(back, second).gone == ["2", "3"]
+    assert keeper.states(first.layout(), first).gone == ["2", "1"]
 
 
 def test_a_hand_that_moves_a_ball_does_not_turn_it() -> None:
@@ -158,7 +158,7 @@ def test_a_hand_that_moves_a_ball_does_not_turn_it() -> None:
 
 def test_balls_whose_fall_was_not_seen_are_down_too() -> None:
     layout = Layout([CUE, Ball("4", 0.0, 0.0, phase="pocketed"), Ball("5", 0.3, 0.3)])
-    assert OrientationTracker().states(layout).pocketed == ["4"]
+    assert OrientationTracker().states(layout).gone == ["4"]
 
 
 def test_turns_compose() -> None:
@@ -182,7 +182,7 @@ def test_a_match_seen_from_its_record_lies_as_it_did_when_it_was_played() -> Non
             late.states(first.start, first)
             assert late.states(moment.rollout.layout(), moment.rollout) == seen
             last = moment
-    assert seen.pocketed
+    assert seen.gone
 
 
 def test_a_stroke_goes_on_from_the_last_whatever_was_shown_in_between() -> None:

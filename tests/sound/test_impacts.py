@@ -7,7 +7,12 @@ import math
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
+from pool2d.physics.body import Body
+from pool2d.physics.event import Event
+from pool2d.physics.motion import Motion
+from pool2d.physics.values import EventKind
 from pool2d.sound.impacts import Impact, impacts
+from pool2d.table import leaving
 
 TABLE = load_table("pool-9ft")
 CUE = Ball("cue", 0.6, 0.635)
@@ -94,3 +99,60 @@ def test_nothing_is_heard_where_time_stands_runs_backward_or_jumps() -> None:
     assert not impacts(rollout, 0.0, 0.0)
     assert not impacts(rollout, 0.5, -0.5)
     assert not impacts(rollout, -0.5, rollout.duration)
+
+
+class At:
+    """A motion that says of a ball just this."""
+
+    def __init__(self, ball: Ball) -> None:
+        self.id = ball.id
+        self.ball = ball
+
+    def at(self, t: float) -> Ball:
+        return self.ball
+
+
+def one(kind: EventKind, before: Ball, where: str | None = None, after: Ball | None = None) -> Rollout:
+    """A shot in which nothing else happens than this, after 1 s."""
+    old, new = At(before), At(after or before)
+    event = Event(1.0, kind, where, [old], [new])  # type: ignore[list-item]
+    rest = Motion(Body(before, 0, 0.028575, 0.17), "resting", 0.0, math.inf)
+    return Rollout(Layout([before]), {before.id: [rest]}, [event], truncated=False)
+
+
+@pytest.mark.parametrize(("where", "kind"), [(None, "slate"), ("top-left", "rail")])
+def test_a_ball_that_comes_down_is_as_hard_as_it_falls(where: str | None, kind: str) -> None:
+    (sound,) = impacts(one("ball_slate", Ball("3", 1.5, 0.6, vx=3.0, vz=-0.8), where), 0.9, 1.1)
+    assert sound == (kind, 0.8, 1.5)
+
+
+def test_a_stroke_that_makes_a_ball_hop_is_heard_on_the_slate() -> None:
+    struck = Ball("cue", 0.6, 0.6, vx=2.0, vz=0.9)
+    assert [sound.kind for sound in impacts(one("cue_ball", CUE, None, struck), 0.9, 1.1)] == ["cue", "slate"]
+    level = struck._replace(vz=0.0)
+    assert [sound.kind for sound in impacts(one("cue_ball", CUE, None, level), 0.9, 1.1)] == ["cue"]
+
+
+def test_a_ball_off_the_table_is_heard_once_it_has_fallen_to_the_floor() -> None:
+    edge = Ball("8", 2.6, 0.6, vx=2.0, vz=0.5, z=0.1)
+    rollout = one("ball_off", edge, "right")
+    after = (0.5 + math.sqrt(0.25 + 2.0 * 9.81 * (0.1 + leaving.BED))) / 9.81
+    assert impacts(rollout, 0.9, 1.0 + after - 1e-6) == []
+    (sound,) = impacts(rollout, 1.0 + after - 1e-6, 1.0 + after + 1e-6)
+    assert (sound.kind, sound.x) == ("floor", 2.6)
+    assert sound.speed == pytest.approx(math.sqrt(0.25 + 2.0 * 9.81 * (0.1 + leaving.BED)))
+    # The moon has more patience, but the window not: it is heard while the ball is followed.
+    assert impacts(rollout, 1.5, 1.7, gravity=1.6)[0].kind == "floor"
+
+
+def test_a_ball_that_a_hand_takes_off_a_rail_falls_on_no_floor() -> None:
+    assert impacts(one("ball_off", Ball("8", 2.6, 0.6, z=0.0363), "right"), 0.9, 1.9) == []
+
+
+def test_balls_that_meet_in_the_air_are_as_hard_as_their_approach_there() -> None:
+    high = Ball("cue", 0.6, 0.6, vz=-2.0, z=0.057)
+    event = Event(1.0, "ball_ball", None, [At(high), At(Ball("1", 0.6, 0.6))],  # type: ignore[list-item]
+                  [At(high._replace(vz=0.9)), At(Ball("1", 0.6, 0.6))], (("cue", "1"),))  # type: ignore[list-item]  # fmt: skip
+    (sound,) = impacts(Rollout(Layout([high]), {}, [event], truncated=False), 0.9, 1.1)
+    assert sound.kind == "ball"
+    assert sound.speed == pytest.approx(2.0)

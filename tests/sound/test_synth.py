@@ -67,6 +67,7 @@ def test_a_click_is_over_in_some_milliseconds() -> None:
 # energy take, ms, as they are with the sounds that the game was given.
 HEARD = {
     "ball": (2990, 5.0), "cue": (970, 14.0), "cushion": (174, 39.0), "drop": (268, 114.0), "back": (374, 1710.0),
+    "slate": (310, 20.9), "rail": (807, 13.9), "floor": (104, 306.0),
     "miscue": (2340, 26.0), "chalk": (4600, 363.0), "click": (1833, 4.6),
 }  # fmt: skip
 

@@ -17,12 +17,18 @@ from .. import theme
 from ..theme import BALLS, IVORY, Style
 from ..view import View
 from . import ball_skin
-from .ball_light import STEPS, light, place, shadow
+from .ball_light import STEPS, light, place, shadow, shadow_of
 from .ball_paint import Coat
-from .ball_sprite import LEVELS, Sprite, render
+from .ball_sprite import LEVELS, LIT, Sprite, render
 
 # What a faint ball takes away of what is behind it, of 255.
 _FAINT = 110
+# How high above the cloth the eye is to which a ball that flies looks larger, m: lower than any real one, so that a hop
+# of a few centimetres is seen; and from which height on balls look no larger.
+_EYE, _HIGHEST = 0.8, 0.4
+# How high a ball has all the light that it gets, in its radii; and into how many steps a radius of height is cut for
+# shadows.
+_BRIGHTEST, _HEIGHTS = 8.0, 8
 
 
 class Placed(NamedTuple):
@@ -30,7 +36,8 @@ class Placed(NamedTuple):
 
     `alpha` from 0, unseen, to 255, solid. `shadow` asks for a shadow on the cloth, which a ball in a tray has not.
     One that is not `fine` is drawn faster and a little rougher: for a ball that moves and is seen for one frame
-    only.
+    only. A ball off the cloth is drawn `nearer` times as large; `height` is that of its lowest point above what is
+    below it, in pixels: so far its shadow parts from it, and the more light it has.
     """
 
     look: Look
@@ -40,6 +47,8 @@ class Placed(NamedTuple):
     alpha: int = 255
     shadow: bool = True
     fine: bool = True
+    nearer: float = 1.0
+    height: float = 0.0
 
 
 # Pictures painted before, the latest last. Like a function's cache, it changes no picture.
@@ -76,25 +85,48 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
     """
     shadows, sprites, corners = [], [], []
     for ball in balls:
-        radius = max(1.0, round(ball.radius * STEPS) / STEPS)
+        radius = max(1.0, round(ball.radius * ball.nearer * STEPS) / STEPS)
         x, y, step = place(ball.centre)
         if ball.shadow:
-            shade, right, down = shadow(radius, step)
-            shadows.append((shade, (x + right, y + down)))
+            shadows.append(_shadow(ball))
         level = round(ball.alpha * LEVELS / 255.0)
         # A rough picture is not looked for again.
         orientation = _rounded(ball.orientation, radius) if ball.fine else ball.orientation
-        sprites.append(Sprite(Coat(ball.look, style), radius, step, orientation, level, ball.fine))
+        lit = round(min(max(0.0, ball.height / ball.radius) / _BRIGHTEST, 1.0) * LIT)
+        sprites.append(Sprite(Coat(ball.look, style), radius, step, orientation, level, ball.fine, lit))
         half = light(radius).half
         corners.append((x - half, y - half))
     # The type allows for none being returned.
     return surface.blits([*shadows, *zip(_images(sprites), corners, strict=True)]) or []
 
 
+def _shadow(ball: Placed) -> tuple[pygame.Surface, tuple[int, int]]:
+    """The shadow of a ball, and its top left corner; below a ball that flies it is as large as if it lay there."""
+    radius, height = max(1.0, round(ball.radius * STEPS) / STEPS), max(0.0, ball.height)
+    aside, below = shadow_of(height)
+    x, y, step = place((ball.centre[0] + aside, ball.centre[1] + below))
+    shade, right, down = shadow(radius, step, round(height / radius * _HEIGHTS) / _HEIGHTS)
+    return shade, (x + right, y + down)
+
+
 def placed_on(table: Table, view: View, ball: Ball, orientation: Quaternion) -> Placed:
     """A ball of a table to be drawn where it is, as a view shows it."""
     centre, radius = view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale
-    return Placed(look_of(table, ball.id), centre, radius, orientation)
+    placed = Placed(look_of(table, ball.id), centre, radius, orientation)
+    if ball.z == 0.0:
+        return placed
+    height = ball.z - table.ground(ball.x, ball.y)
+    return placed._replace(nearer=_nearer(ball.z), height=height * view.scale, shadow=height >= 0.0)
+
+
+def from_below(balls: Iterable[Ball]) -> list[Ball]:
+    """Balls in the order in which they are drawn: higher ones lie over lower ones."""
+    return sorted(balls, key=lambda ball: ball.z)
+
+
+def _nearer(z: float) -> float:
+    """How many times as large a ball at a height of `z` m looks, to an eye `_EYE` m above the cloth."""
+    return _EYE / (_EYE - min(z, _HIGHEST))
 
 
 def ghost_of(table: Table, view: View, ball: Ball) -> Placed:

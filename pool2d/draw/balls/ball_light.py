@@ -123,7 +123,7 @@ def _pixels(rgb: Floats, alpha: Floats) -> Pixels:
     return pixels
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=16)
 def light(radius: float) -> Light:
     return Light(radius)
 
@@ -160,26 +160,36 @@ def _noise(count: int) -> Doubles:
     return np.random.default_rng(1).uniform(-_DITHER, _DITHER, count)
 
 
+def shadow_of(height: float) -> tuple[float, float]:
+    """How far right and down of a ball its shadow falls that is `height` above the cloth; all in the same units."""
+    return -_LAMP[0] / _LAMP[2] * height, _LAMP[1] / _LAMP[2] * height
+
+
 @lru_cache(maxsize=128)
-def shadow(radius: float, step: int) -> tuple[pygame.Surface, int, int]:
+def shadow(radius: float, step: int, height: float = 0.0) -> tuple[pygame.Surface, int, int]:
     """The shadow of a ball: dark where the ball touches the cloth, soft around, long on the side away from the lamp.
 
-    With it come the offsets, right and down in pixels, from the ball's middle pixel to the picture's top left
-    corner.
+    The `height` of a ball over the cloth is in its radii: the higher, the softer and fainter its shadow, which then
+    lies about the place that `shadow_of` says. With the picture come the offsets, right and down in pixels, from the
+    middle pixel of the ball or of that place to its top left corner.
     """
-    half = math.ceil(radius * 2.4) + 1
+    # The part of a shadow that is cast by a ball's being so near, and how much its edge is spread.
+    near, spread = math.exp(-2.5 * height), 0.45 * height
+    half = math.ceil(radius * (2.4 + spread)) + 1
     across = np.arange(-half, half + 1, dtype=np.float64)
     right, down = offset(step)
     x = ((across - right) / radius)[:, None]
     y = ((across - down) / radius)[None, :]
     contact = _blot(x - 0.05, y - 0.09, 1.0, 0.16)
-    soft = _blot(x - 0.18, y - 0.26, 0.95, 0.50)
+    soft = _blot(x - 0.18 * near, y - 0.26 * near, 0.95, 0.50 + spread)
     # The long one: a stadium from the ball away from the lamp.
     length = math.hypot(_LAMP[0], _LAMP[1])
     ox, oy = -_LAMP[0] / length, _LAMP[1] / length
-    along = np.clip(x * ox + y * oy, 0.0, 0.85)
-    long = _blot(x - along * ox, y - along * oy, 0.72, 0.62)
-    light_left = (1.0 - 0.52 * contact) * (1.0 - 0.40 * soft) * (1.0 - 0.20 * long)
+    along = np.clip(x * ox + y * oy, 0.0, 0.85 * near)
+    long = _blot(x - along * ox, y - along * oy, 0.72, 0.62 + spread)
+    depth = 1.0 / (1.0 + 0.35 * height)
+    light_left = (1.0 - 0.52 * near * contact) * (1.0 - (0.40 + 0.22 * (1.0 - near)) * depth * soft)
+    light_left *= 1.0 - 0.20 * depth * long
     image = pygame.Surface((2 * half + 1, 2 * half + 1), pygame.SRCALPHA)
     level = 255.0 * (1.0 - light_left) + _noise(light_left.size).reshape(light_left.shape)
     pygame.surfarray.pixels_alpha(image)[...] = np.where(light_left > 0.998, 0.0, np.clip(level, 0.0, 255.0)).astype(

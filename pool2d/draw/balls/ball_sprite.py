@@ -16,15 +16,18 @@ from . import ball_skin
 from .ball_light import Light, light
 from .ball_paint import Coat, paint
 
-# Levels of a ball's own transparency.
+# Levels of a ball's own transparency, and of the light that it has more of in the air.
 LEVELS = 15
+LIT = 8
+# How much brighter a ball is that has all of that.
+_BRIGHTER = 0.3
 
 
 class Sprite(NamedTuple):
     """All that a ball's picture depends on.
 
     The radius is in pixels, the step that of `ball_light.Light`, the orientation a quaternion of any length. One
-    that is not `fine` may be looked up in the ball's skin: faster, a little rough, and never transparent.
+    that is not `fine` may be looked up in the ball's skin: faster, a little rough, never transparent and never `lit`.
     """
 
     coat: Coat
@@ -33,6 +36,7 @@ class Sprite(NamedTuple):
     orientation: Quaternion
     level: int = LEVELS
     fine: bool = True
+    lit: int = 0
 
 
 def render(sprites: Sequence[Sprite], fine: bool) -> list[pygame.Surface]:
@@ -47,6 +51,8 @@ def render(sprites: Sequence[Sprite], fine: bool) -> list[pygame.Surface]:
     places = np.matmul(turns.transpose(0, 2, 1), lit[:, Light.NORMAL])
     color, glossy = paint(coats, places, lit[:, Light.SOFT], radius)
     color *= lit[:, Light.SHADE]
+    if any(sprite.lit for sprite in sprites):
+        color *= np.array([[[1.0 + _BRIGHTER * sprite.lit / LIT]] for sprite in sprites], dtype=np.float32)
     color += lit[:, Light.GLOSS] * glossy[:, None]
     np.clip(color, 0.0, 255.0, out=color)
     alpha = np.array([[255.0 * sprite.level / LEVELS] for sprite in sprites], dtype=np.float32)

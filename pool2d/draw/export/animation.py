@@ -12,7 +12,6 @@ import pygame
 
 from ...config.files import write_bytes
 from ...errors import InputError
-from ...game.falling import falling
 from ...game.orientations import racked_orientations
 from ...physics.orientation import BallRotation
 from ...physics.rollout import Rollout
@@ -35,11 +34,8 @@ def frames(table: Table, rollout: Rollout, size: tuple[int, int], times: Iterabl
 
     for t in times:
         picture, layout = background.copy(), rollout.at(t)
-        balls = [
-            tray.sinking(fall, placed(layout[fall.ball]._replace(x=fall.x, y=fall.y), fall.orientation))
-            for fall in falling(rollout, turning, table.geometry.pockets, t)
-        ]
-        ball_art.draw_all(picture, [*balls, *(placed(ball, turning.at(ball.id, t)) for ball in layout.on_table())])
+        balls = [placed(ball, turning.at(ball.id, t)) for ball in ball_art.from_below(layout.on_table())]
+        ball_art.draw_all(picture, [*tray.going(rollout, turning, table, t, placed), *balls])
         yield picture
 
 

@@ -17,7 +17,7 @@ class Foresight:
 
     def __init__(self) -> None:
         self._key: Hashable = None
-        self._level = guide.OFF
+        self._level = guide.NONE
         self._rollout: Rollout | None = None
 
     def rollout(self, table: Table, level: int, layout: Layout, shot: Shot) -> Rollout | None:

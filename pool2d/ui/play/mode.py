@@ -42,17 +42,17 @@ class Mode:
         """What is said first."""
         raise NotImplementedError
 
-    def titles(self, pocketed: Sequence[str] | None) -> tuple[str, str]:
+    def titles(self, gone: Sequence[str] | None) -> tuple[str, str]:
         """What the upper bar says on its left and on its right.
 
-        `pocketed` are the balls that have fallen so far in the shot that is shown; None where none is.
+        `gone` are the balls that have fallen or left the table so far in the shot that is shown; None where none is.
         """
         say = self.words.say
         number, left = self.session.strokes + 1, self.session.left
-        if pocketed is not None:
+        if gone is not None:
             # What a shot leads to is not told before it is seen.
             number -= 1
-            left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(pocketed)
+            left = sum(ball != self.session.cue.id for ball in self.session.layout) - len(gone)
         note = f"{say('play.shot', number=number)}   \N{MIDDLE DOT}   {say('play.left', count=left)}"
         table = self.session.table
         title = ruling_text.table_title(self.words, table)

@@ -14,6 +14,7 @@ from ...draw.view import View
 from ...game.rules import AIM, CHOOSE
 from ...game.rules.spotting import KITCHEN, D
 from ...physics.strike import hop, miscue_limit
+from ...table.flights import flies
 from ..frame import Frame
 from ..stage import bars, scoreboard
 from ..stage.legend import draw_legend
@@ -112,7 +113,7 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
 def _guide(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     """What the stroke would do; off, it is not worked out either."""
     session, level = state.session, state.show.level
-    if level != guide.OFF:
+    if level != guide.NONE:
         shot = state.aimed(state.hands.speed)
         stage.guide(surface, level, state.foresight.rollout(session.table, level, session.layout, shot), shot.ball)
 
@@ -146,14 +147,14 @@ def _vectors(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     elif shown is not None and shown.shot is not None and shown.time <= 0.0:
         start = shown.rollout.start[shown.shot.ball]
         vectors.draw_cue(surface, start, shown.shot, session.table, stage.view)
-    draw_legend(surface, state.words, stage.screen)
+    draw_legend(surface, state.words, stage.screen, shown is not None and flies(shown.rollout))
 
 
 def _bars_key(state: PlayState, controller: Controller, shown: Playback) -> Hashable:
     """What the bars tell while a shot runs."""
     stage, tuning = controller.stage, controller.tuning
     said = (state.messages.text, state.messages.warning, state.words.manner)
-    drawn = (stage.screen, stage.style, state.pocketed, state.hands.aim, *said)
+    drawn = (stage.screen, stage.style, state.gone, state.hands.aim, *said)
     # What stands to the players' credit comes with the moment, a drill's run with its stroke; it is told of a shot
     # only when it is seen again.
     error = tuning.error if tuning is not None else ""
@@ -169,7 +170,7 @@ def _bars(surface: pygame.Surface, state: PlayState, controller: Controller) -> 
         # While a shot runs for the first time, what comes of it is not told yet.
         first = state.playback is not None and not state.playback.again
         scoreboard.draw(surface, state.words, screen, session.match, session.match.history[-2 if first else -1])
-    controller.stage.tray(surface, state.pocketed)
+    controller.stage.tray(surface, state.gone, state.shown_balls.layout)
     if session.ask.kind != CHOOSE or state.playback is not None:
         struck = state.playback.shot if state.playback is not None else None
         aim, speed = hands.aim, hands.speed

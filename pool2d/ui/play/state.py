@@ -91,14 +91,14 @@ class PlayState:
         return self.balls.during(self.playback.rollout, self.playback.time)
 
     @property
-    def pocketed(self) -> tuple[str, ...]:
-        """The balls that have fallen for good, as the tray shows them."""
-        return self.shown_balls.pocketed(self.session.match)
+    def gone(self) -> tuple[str, ...]:
+        """The balls that have fallen for good or are off the table, as the tray shows them."""
+        return self.shown_balls.gone(self.session.match)
 
     @property
     def titles(self) -> tuple[str, str]:
         """What the upper bar says on its left and on its right."""
-        return self.mode.titles(None if self.playback is None else self.pocketed)
+        return self.mode.titles(None if self.playback is None else self.gone)
 
     def aimed(self, speed: float | None = None) -> Shot:
         """The shot that is aimed, at the speed of a stroke by key or another, m/s."""

@@ -10,6 +10,7 @@ from ...game.actions import Stroke
 from ...game.records.recorded_shots import RecordedShots
 from ...game.records.replaying import UNKNOWN, RecordedShot
 from ...game.rules.report import Call
+from ...table.flights import flies
 from ..frame import Frame
 from ..screen import Screen
 from ..stage import scoreboard
@@ -36,7 +37,7 @@ def draw(frame: Frame, words: Words, state: ReplayState, stage: Stage, timeline:
         vectors.draw(surface, shown.rollout.at(shown.time), stage.table, stage.view)
         if shown.shot is not None and shown.time <= 0.0:
             vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
-        draw_legend(surface, words, screen)
+        draw_legend(surface, words, screen, flies(shown.rollout))
     _upper_bar(surface, words, stage, state, timeline.hover)
     said = caption(words, state)
     _caption(surface, screen, said)
@@ -81,7 +82,7 @@ def _upper_bar(
     left = button("later", screen).right + 2 * unit
     title = text.fitted(ruling_text.title(words, shot.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
-    stage.tray(surface, state.shown_balls.pocketed(shot.match))
+    stage.tray(surface, state.shown_balls.gone(shot.match), state.shown_balls.layout)
     # Until a shot has come to its end the score is the one that it was played at.
     moment = shot.moment if state.playback.ended else shot.before
     scoreboard.draw_beside(surface, words, screen, shot.match, moment, shot.moment.shooter)

@@ -1,4 +1,4 @@
-"""The balls at the moment that is shown: where they are, how they are turned, and which have fallen."""
+"""The balls at the moment that is shown: where they are, how they are turned, and which have gone."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ class ShownBalls(NamedTuple):
     rotation: BallRotation | None
     t: float
 
-    def pocketed(self, match: Match) -> tuple[str, ...]:
-        """The balls that have fallen for good, in that order; the table's cue ball only in a game where it counts."""
+    def gone(self, match: Match) -> tuple[str, ...]:
+        """The balls that are no longer played, in the order in which they went; the table's cue ball only in a game
+        where it counts."""
         cue = "" if match.rules.cue_counts else match.table.furniture.cue
-        return tuple(ball for ball in self.states.pocketed if ball != cue)
+        return tuple(ball for ball in self.states.gone if ball != cue)
 
 
 class BallHistory:

@@ -10,10 +10,10 @@ from ...draw import guide, pen, theme
 from ...draw.balls import ball_art, tray
 from ...draw.tabletop.background import Background
 from ...draw.view import View, fit
-from ...game.falling import falling
 from ...physics.orientation import FACING, Quaternion
 from ...physics.rollout import Rollout
-from ...physics.values import RESTING, Ball
+from ...physics.values import AIRBORNE, OFF, RESTING, Ball, Layout
+from ...table.flights import jumped
 from ...table.furniture import Look
 from ...table.table import Table
 from ..frame import Frame
@@ -70,12 +70,11 @@ class Stage:
         layout, orientations = shown.layout, shown.states.orientations
         balls = []
         if shown.rollout is not None and shown.rotation is not None:
-            for fall in falling(shown.rollout, shown.rotation, self.table.geometry.pockets, shown.t):
-                ball = layout[fall.ball]._replace(x=fall.x, y=fall.y)
-                balls.append(tray.sinking(fall, self._placed(ball, fall.orientation)))
+            balls = tray.going(shown.rollout, shown.rotation, self.table, shown.t, self._placed)
+        # One that flies has another size at each frame, for which no skin is worth making either.
         balls += [
-            self._placed(ball, orientations.get(ball.id, FACING), not rough or ball.phase == RESTING)
-            for ball in layout.on_table()
+            self._placed(ball, orientations.get(ball.id, FACING), not rough or ball.phase in (RESTING, AIRBORNE))
+            for ball in ball_art.from_below(layout.on_table())
             if ball.id != but
         ]
         frame.add(ball_art.draw_all(frame.surface, balls, self.style))
@@ -85,9 +84,10 @@ class Stage:
         centre = self.view.to_screen(ball.x, ball.y)
         ball_art.draw(surface, ball.id, centre, self._radius(ball), faint, look, style=self.style)
 
-    def tray(self, surface: pygame.Surface, pocketed: Sequence[str]) -> None:
-        """Draw the balls that have fallen."""
-        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in pocketed], self.style)
+    def tray(self, surface: pygame.Surface, gone: Sequence[str], layout: Layout) -> None:
+        """Draw the balls of a layout that have fallen, and those that are off the table."""
+        off = [layout[ball].phase == OFF for ball in gone]
+        tray.draw(surface, self.screen.tray, [self._look(ball) for ball in gone], self.style, off=off)
 
     def in_hand(self, surface: pygame.Surface, ball: Ball, free: bool) -> None:
         """Draw a ball held over the table, ringed by whether it has room there."""
@@ -108,7 +108,8 @@ class Stage:
             if level == guide.WHOLE:
                 guide.draw_whole(surface, rollout, self.table, self.view, style=self.style)
             fore = guide.foresee(rollout, ball, within=guide.fineness(self.view))
-            guide.draw(surface, fore, level, self.table, self.view)
+            over = [(rollout.ball_at(one.ball, one.t), one) for one in jumped(rollout, self.table, ball)]
+            guide.draw(surface, fore, level, self.table, self.view, over)
 
     def comparison(
         self, surface: pygame.Surface, before: Rollout | None, compared: Rollout | None, now: Rollout | None
@@ -132,11 +133,12 @@ class Stage:
         return ball_art.look_of(self.table, ball)
 
     def _placed(self, ball: Ball, orientation: Quaternion, fine: bool = True) -> ball_art.Placed:
-        x, y = self.view.to_screen(ball.x, ball.y)
-        if not self.camera.settled:
-            # On its way each frame has balls of another size, whose light is worked out for each part of a pixel.
-            x, y = round(x), round(y)
-        return ball_art.Placed(self._look(ball.id), (x, y), self._radius(ball), orientation, fine=fine)
+        placed = ball_art.placed_on(self.table, self.view, ball, orientation)._replace(fine=fine)
+        if self.camera.settled:
+            return placed
+        # On its way each frame has balls of another size, whose light is worked out for each part of a pixel.
+        x, y = placed.centre
+        return placed._replace(centre=(round(x), round(y)))
 
     def _radius(self, ball: Ball) -> float:
         return self.table.body_of(ball)[0] * self.view.scale

@@ -25,7 +25,9 @@ COLORS: dict[EventKind, theme.Color] = {
     "ball_ball": theme.ACCENT,
     "cluster": (255, 146, 84),
     "ball_cushion": (96, 208, 170),
+    "ball_slate": (178, 206, 104),
     "ball_pocket": (240, 104, 112),
+    "ball_off": (236, 110, 196),
 }
 # What keys do while the time line is out; all others mean what they always do.
 TIMELINE_KEYS = {

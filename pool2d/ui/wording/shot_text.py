@@ -7,11 +7,14 @@ from string import digits
 
 from ...physics.event import Event
 from ...physics.rollout import Rollout
-from ...physics.values import MISCUE, POCKETED, Ball, Layout
+from ...physics.values import AIRBORNE, GONE, MISCUE, OFF, POCKETED, Ball, Layout
 from ...table.table import Table
 from .words import Words
 
 _STILL = 1e-6
+# Lower hops and heights than this, m, are told of no event.
+_LOW = 5e-5
+_BACK = " back"
 
 
 def title(words: Words, event: Event, cue: str) -> str:
@@ -19,11 +22,39 @@ def title(words: Words, event: Event, cue: str) -> str:
     if event.where == MISCUE:
         return words.say("event.miscue")
     balls = [ball_name(words, ball, cue) for ball in (_in_order(event) if event.kind == "ball_ball" else event.balls)]
-    where, every = place_name(words, event.where or ""), ", ".join(balls)
-    spins = event.kind == "rolling_resting" and any(ball.wz for ball in event.after.values())
-    through = event.kind == "cue_ball" and event.pairs
-    kind = "spins_on" if spins else "cue_ball_through" if through else event.kind
-    return begun(words.say(f"event.{kind}", ball=balls[0], other=balls[-1], balls=every, where=where))
+    where, every = place_name(words, (event.where or "").removesuffix(_BACK)), ", ".join(balls)
+    return begun(words.say(f"event.{_told_as(event)}", ball=balls[0], other=balls[-1], balls=every, where=where))
+
+
+def _told_as(event: Event) -> str:
+    """The words for an event: those for its kind, or for what is special about it."""
+    where = event.where or ""
+    if event.kind == "rolling_resting" and any(ball.wz for ball in event.after.values()):
+        return "spins_on"
+    if event.kind == "cue_ball" and event.pairs:
+        return "cue_ball_through"
+    if event.kind == "ball_cushion" and where.endswith(_BACK):
+        return "ball_back"
+    if event.kind == "ball_slate" and where:
+        # A cushion and a pocket may have one name; the rails' top is higher than the bed, the rim is not.
+        return "landed_on_rail" if height_of(event) > _LOW else "landed_on_rim"
+    return "taken_off" if event.kind == "ball_off" and not where else event.kind
+
+
+def height_of(event: Event) -> float:
+    """How high above the cloth it happened, m: the lowest point of the highest ball."""
+    return max(ball.z for ball in event.before.values())
+
+
+def hop_of(event: Event, gravity: float) -> float:
+    """How high the highest of its balls goes after it, m; 0 where none rises."""
+    rising = [ball for ball in event.after.values() if ball.phase == AIRBORNE and ball.vz > 0.0]
+    return max((ball.z + 0.5 * ball.vz * ball.vz / gravity for ball in rising), default=0.0)
+
+
+def millimetres(words: Words, length: float) -> str:
+    """A small length, m, in millimetres, to a tenth where it is less than ten of them."""
+    return f"{words.number(1000.0 * length, '.1f' if abs(length) < 0.00995 else '.0f')} mm"
 
 
 def miscued(rollout: Rollout) -> bool:
@@ -41,17 +72,21 @@ def measures(words: Words, event: Event, table: Table, start: Layout) -> str:
     y = sum(ball.y for ball in before.values()) / len(before)
     place = words.say("telling.place", x=words.number(x, ".3f"), y=words.number(y, ".3f"))
     parts = [f"{words.number(event.t, '.3f')} s", place]
+    if (height := height_of(event)) > _LOW:
+        parts.append(words.say("telling.height", height=millimetres(words, height)))
+    if (hop := hop_of(event, table.physics.gravity)) > _LOW:
+        parts.append(words.say("telling.hop", height=millimetres(words, hop)))
     angle = throw(event)
     if angle is not None:
         parts.append(words.say("telling.throw", angle=words.number(abs(angle), ".1f") + "\N{DEGREE SIGN}"))
     kept = energy_kept(event, table, start)
-    if kept is not None and event.kind in ("ball_ball", "ball_cushion", "cluster"):
+    if kept is not None and event.kind in ("ball_ball", "ball_cushion", "ball_slate", "cluster"):
         parts.append(words.say("telling.kept", percent=f"{100.0 * kept:.0f} %"))
     return "   ".join(part for part in parts if after)
 
 
 def change(words: Words, event: Event, ball: str, cue: str) -> str:
-    """A ball's speed and spin, before and after: along the cloth, and about the vertical (side)."""
+    """A ball's speed and spin, before and after: along the cloth, about the vertical (side), and its speed upward."""
     old, new = event.before[ball], event.after[ball]
     told = words.say(
         "telling.change",
@@ -60,19 +95,22 @@ def change(words: Words, event: Event, ball: str, cue: str) -> str:
         roll=f"{_roll(old):.0f}", roll_after=f"{_roll(new):.0f}",
         side=f"{old.wz:.0f}", side_after=f"{new.wz:.0f}",
     )  # fmt: skip
+    if max(abs(old.vz), abs(new.vz)) > _STILL:
+        rise, rise_after = (words.number(ball.vz, ".2f") for ball in (old, new))
+        told = words.say("telling.rise", told=told, rise=rise, rise_after=rise_after)
     return begun(told)
 
 
 def throw(event: Event) -> float | None:
     """The angle, in degrees, from the line of centres to the way a ball at rest is sent; None for other events.
 
-    Positive to the left, seen along the line.
+    Positive to the left, seen along the line; nothing is told of balls that meet in the air.
     """
     if event.kind != "ball_ball":
         return None
     first, second = _in_order(event)
     hitter, struck, sent = event.before[first], event.before[second], event.after[second]
-    if _speed(struck) > _STILL or _speed(sent) < _STILL:
+    if _speed(struck) > _STILL or _speed(sent) < _STILL or height_of(event) > _LOW:
         return None
     line = math.atan2(struck.y - hitter.y, struck.x - hitter.x)
     return math.degrees(math.remainder(math.atan2(sent.vy, sent.vx) - line, math.tau))
@@ -86,21 +124,28 @@ def energy_kept(event: Event, table: Table, start: Layout) -> float | None:
 
 
 def outcome(words: Words, rollout: Rollout, cue: str) -> str:
-    """What came of a shot: a scratch, a cleared table, the balls that fell; or nothing worth saying."""
+    """What came of a shot: a scratch, a cleared table, the balls that fell or left it; or nothing worth saying."""
     end = rollout.layout()
-    fallen = [ball.id for ball in rollout.start.on_table() if end[ball.id].phase == POCKETED]
-    if cue in fallen:
-        return words.say("outcome.scratch")
+    if cue in end and end[cue].phase in GONE and rollout.start[cue].phase not in GONE:
+        return words.say("outcome.cue_off" if end[cue].phase == OFF else "outcome.scratch")
     if all(ball.id == cue for ball in end.on_table()):
         return words.say("outcome.cleared", rack=words.key("rack"))
-    fallen.sort(key=lambda ball: (len(ball), ball))
-    return words.say("outcome.down", balls=", ".join(ball_name(words, ball, cue) for ball in fallen)) if fallen else ""
+    said = []
+    for phase, key in ((POCKETED, "down"), (OFF, "off")):
+        gone = sorted((ball.id for ball in rollout.start.on_table() if end[ball.id].phase == phase), key=_by_number)
+        if gone:
+            said.append(words.say(f"outcome.{key}", balls=", ".join(ball_name(words, ball, cue) for ball in gone)))
+    return " ".join(said)
+
+
+def _by_number(ball: str) -> tuple[int, str]:
+    return len(ball), ball
 
 
 def _energy(ball: Ball, body: tuple[float, float]) -> float:
     radius, mass = body
     spin = ball.wx**2 + ball.wy**2 + ball.wz**2
-    return 0.5 * mass * (ball.vx**2 + ball.vy**2 + 0.4 * radius * radius * spin)
+    return 0.5 * mass * (ball.vx**2 + ball.vy**2 + ball.vz**2 + 0.4 * radius * radius * spin)
 
 
 def _in_order(event: Event) -> tuple[str, str]:
@@ -130,6 +175,7 @@ def begun(sentence: str) -> str:
 
 
 def _speed(ball: Ball) -> float:
+    """How fast a ball goes in plan, m/s."""
     return math.hypot(ball.vx, ball.vy)
 
 

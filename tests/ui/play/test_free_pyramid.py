@@ -98,13 +98,13 @@ def test_the_ball_without_a_number_is_seen_in_the_tray_once_it_has_scored(hand: 
     hand.strike()
     hand.app.step(FRAME)
     assert session.layout["cue"].phase == POCKETED and not session.ruling.foul
-    assert "cue" in hand.play.state.pocketed
+    assert "cue" in hand.play.state.gone
     # At a game in which it comes back it is none of those that are down.
     begin(hand)
     hand.app.step(FRAME)
     begun = hand.play.state.session
     gone = begun.layout.without("cue").put(Ball("cue", 0.0, 0.0, phase=POCKETED))
-    assert not BallHistory().at_rest(gone).pocketed(begun.match)
+    assert not BallHistory().at_rest(gone).gone(begun.match)
 
 
 def test_so_it_is_where_a_record_is_shown(hand: Hand) -> None:
@@ -114,7 +114,7 @@ def test_so_it_is_where_a_record_is_shown(hand: Hand) -> None:
     assert isinstance(session.recorder, Recorder)
     replay = Replay(RecordedShots(load(session.recorder.path)), hand.app.words)
     gone = session.layout.without("cue").put(Ball("cue", 0.0, 0.0, phase=POCKETED))
-    assert BallHistory().at_rest(gone).pocketed(replay.state.shots[0].match) == ("cue",)
+    assert BallHistory().at_rest(gone).gone(replay.state.shots[0].match) == ("cue",)
 
 
 def test_taking_back_goes_back_to_the_ball_that_was_struck_before(hand: Hand) -> None:

@@ -22,7 +22,7 @@ def test_what_a_shot_will_leave_is_not_told_before_it_is_seen(hand: Hand) -> Non
     hand.key(pygame.K_SPACE)
     assert hand.play.state.session.left == 1
     assert hand.play.state.titles[1] == before
-    while not hand.play.state.pocketed:
+    while not hand.play.state.gone:
         hand.app.step(1.0 / 60.0)
     assert hand.play.state.titles[1] == before.replace("2 balls", "1 ball")
     hand.wait_for_rest()

@@ -289,6 +289,6 @@ def test_the_bars_tell_the_present_while_a_shot_runs(hand: Hand) -> None:
         for bar in (screen.top, screen.bottom):
             shown, drawn = (picture.subsurface(bar) for picture in (hand.app.window.surface, fresh))
             assert pygame.image.tobytes(shown, "RGB") == pygame.image.tobytes(drawn, "RGB")
-        trays.add(hand.play.state.pocketed)
+        trays.add(hand.play.state.gone)
         hand.app.step(0.1)
     assert len(trays) == 2, "a ball falls on the way"

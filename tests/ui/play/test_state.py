@@ -33,7 +33,7 @@ def test_a_stroke_runs_to_its_rest_and_is_told(state: PlayState) -> None:
     seen = {before}
     while state.update(0.05) is None:
         seen.add(state.titles[1])
-    assert state.pocketed == ("1",) and before.endswith("1 ball left")
+    assert state.gone == ("1",) and before.endswith("1 ball left")
     assert {title.endswith("0 balls left") for title in seen} == {True, False}, (
         "the ball is gone once it was seen to be"
     )

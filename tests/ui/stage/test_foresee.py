@@ -36,7 +36,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def test_a_guide_that_is_off_is_not_worked_out(two: Hand, counted: list[int]) -> None:
-    two.play.state.show.level = guide.OFF
+    two.play.state.show.level = guide.NONE
     for pixel in range(5):
         two.move((700 + 10 * pixel, 300))
     assert not counted
@@ -74,14 +74,14 @@ def test_no_more_of_a_shot_is_worked_out_than_is_shown(counted: list[int]) -> No
     foresight = Foresight()
     seen = [
         len(roll.events)
-        for level in (guide.OFF, guide.LINE, guide.GHOST, guide.WHOLE)
+        for level in (guide.NONE, guide.LINE, guide.GHOST, guide.WHOLE)
         if (roll := foresight.rollout(TABLE, level, layout(), SHOT))
     ]
     # The stroke and the contact; what both balls meet next; all of it.
     assert seen[0] == seen[1] == 2 < seen[2] < seen[3]
     # What sees farther serves for less.
     assert len(counted) == 3
-    assert foresight.first_hit(TABLE, guide.OFF, layout(), SHOT) == "1" and len(counted) == 3
+    assert foresight.first_hit(TABLE, guide.NONE, layout(), SHOT) == "1" and len(counted) == 3
 
 
 def test_the_cue_drawn_back_with_a_pocket_called_takes_one_shot_a_frame(two: Hand, counted: list[int]) -> None:

@@ -118,7 +118,7 @@ def test_the_guide_is_the_same_setting_in_play_and_here(mine: Hand, store: Store
     box = widget(scene, Selector, "Guide").rect
     click(mine, (box.right - 5, box.centery))
     assert store.values.aiming.guide == "off"
-    assert mine.play.state.show.level == guide.OFF
+    assert mine.play.state.show.level == guide.NONE
 
 
 def test_another_language_is_spoken_at_once(mine: Hand, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -57,7 +57,7 @@ class DrillMode(Mode):
     def standing(self) -> Message:
         return self._outcome if self._between else self._goal
 
-    def titles(self, pocketed: Sequence[str] | None) -> tuple[str, str]:
+    def titles(self, gone: Sequence[str] | None) -> tuple[str, str]:
         say = self.words.say
         run = self.seen
         number = len(run.results) + (0 if run.standing.over else 1)
