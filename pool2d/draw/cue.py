@@ -23,6 +23,8 @@ from .view import View
 
 # Where along the cue, m from the tip, its parts end: tip, ferrule, shaft, joint, forearm, wrap, sleeve, bumper.
 _TIP, _FERRULE, _SHAFT, _JOINT, _FOREARM, _WRAP, _SLEEVE, _LENGTH = 0.011, 0.034, 0.735, 0.757, 1.02, 1.3, 1.437, 1.45
+# A jump cue has the same parts, shorter: so long is it, m.
+_JUMP_LENGTH = 1.04
 # Half the cue's width along its length: (m from the tip, m).
 _TAPER = ((0.0, 0.0058), (0.003, 0.0064), (0.3, 0.0066), (_SHAFT, 0.0105), (_SLEEVE, 0.0147), (_LENGTH, 0.0140))
 # A skin has so many samples across for each pixel.
@@ -62,6 +64,7 @@ def draw(
     radius = table.body_of(ball)[0]
     angle, raised = math.radians(aim.angle), math.radians(aim.elevation)
     ahead, right = (math.cos(angle), math.sin(angle)), (math.sin(angle), -math.cos(angle))
+    length = _JUMP_LENGTH if aim.jump else _LENGTH
     # Seen from above a raised cue is shorter.
     flat = math.cos(raised)
     gap = radius * math.sqrt(1.0 - aim.side * aim.side) + 0.006 + back * flat
@@ -74,13 +77,13 @@ def draw(
 
     shifts = surface.get_shifts()[:3]
     low = radius + back * math.sin(raised)
-    high = low + _LENGTH * (_RISE + math.sin(raised))
+    high = low + length * (_RISE + math.sin(raised))
     scale, part = _scale(view.scale), round(256.0 * seen)
     shadow = _shadow(scale, round(20.0 * high), shifts)
-    _lay(surface, shadow, at(0.0, low), at(_LENGTH * flat, high), view.scale, part)
+    _lay(surface, shadow, at(0.0, low), at(length * flat, high), view.scale, part)
     # Which side of the cue is toward the light.
     facing = round(-4.0 * (right[0] * LIGHT[0] + right[1] * LIGHT[1]))
-    _lay(surface, _wood(scale, facing, shifts), at(0.0, 0.0), at(_LENGTH * flat, 0.0), view.scale, part)
+    _lay(surface, _wood(scale, facing, shifts), at(0.0, 0.0), at(length * flat, 0.0), view.scale, part)
 
 
 def _scale(scale: float) -> int:

@@ -54,7 +54,7 @@ def draw(surface: pygame.Surface, table: Table, ball: Ball, shot: Shot, t: float
     back, seen = reach(drawn_back(shot.speed), t)
     if seen <= 0.0:
         return False
-    aim = Aim(shot.angle, shot.speed, shot.side, shot.height, shot.elevation)
+    aim = Aim(shot.angle, shot.speed, shot.side, shot.height, shot.elevation, shot.jump)
     cue.draw(surface, table, ball, aim, back, view, seen)
     return True
 

@@ -23,23 +23,27 @@ MAX_ELEVATION = 80.0
 
 @dataclass(frozen=True, slots=True)
 class Aim:
-    """The cue before the stroke: a `Shot` without a ball; `speed`, m/s, is that of a stroke by key."""
+    """The cue before the stroke: a `Shot` without a ball; `speed`, m/s, is that of a stroke by key.
+
+    `jump` is whether it is the jump cue.
+    """
 
     angle: float = 0.0
     speed: float = 3.0
     side: float = 0.0
     height: float = 0.0
     elevation: float = 0.0
+    jump: bool = False
 
     def shot(self, ball: str, speed: float | None = None) -> Shot:
         """The shot that it makes of a ball, at another speed, m/s, where one is given."""
         given = self.speed if speed is None else speed
-        return Shot(self.angle, given, self.side, self.height, self.elevation, ball)
+        return Shot(self.angle, given, self.side, self.height, self.elevation, ball, jump=self.jump)
 
     @classmethod
     def of(cls, shot: Shot) -> Aim:
         """The aim that makes a shot."""
-        return cls(shot.angle % 360.0, shot.speed, shot.side, shot.height, shot.elevation)
+        return cls(shot.angle % 360.0, shot.speed, shot.side, shot.height, shot.elevation, shot.jump)
 
     def toward(self, dx: float, dy: float) -> Aim:
         """Aimed along (dx, dy), in the table's directions."""
@@ -58,6 +62,10 @@ class Aim:
     def with_elevation(self, degrees: float) -> Aim:
         """With the butt raised so many degrees, within what is allowed."""
         return replace(self, elevation=min(max(round(degrees, 1), 0.0), MAX_ELEVATION))
+
+    def with_other_cue(self) -> Aim:
+        """With the jump cue in place of the playing cue, or that in place of it."""
+        return replace(self, jump=not self.jump)
 
     def with_speed(self, speed: float) -> Aim:
         """With the speed of a stroke by key, m/s, within what is allowed."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ..config.knobs import choice, knob
 from .laws.registry import BALL_LAWS, CUSHION_LAWS
+from .values import Shot
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,14 @@ class Cue:
 
 
 @dataclass(frozen=True, slots=True)
+class JumpCue:
+    """What differs in a cue for jumping: it is light, so that it stops early, and its tip is hard."""
+
+    mass: float = knob(0.28, 0.1, 2.0, "kg", "mass of the jump cue: about half of a playing cue's")
+    tip_restitution: float = knob(0.84, 0.0, 1.0, "", "restitution of the jump cue's tip: phenolic 0.81-0.87")
+
+
+@dataclass(frozen=True, slots=True)
 class Physics:
     """Every physical parameter of one table."""
 
@@ -87,3 +96,11 @@ class Physics:
     rail: RailKnobs = field(default_factory=RailKnobs)
     pocket: PocketKnobs = field(default_factory=PocketKnobs)
     cue: Cue = field(default_factory=Cue)
+    jump_cue: JumpCue = field(default_factory=JumpCue)
+
+    def struck_by(self, shot: Shot) -> Physics:
+        """The same with the cue that a shot is played with as its `cue`."""
+        if not shot.jump:
+            return self
+        jump = self.jump_cue
+        return replace(self, cue=replace(self.cue, mass=jump.mass, tip_restitution=jump.tip_restitution))

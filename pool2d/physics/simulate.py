@@ -73,8 +73,9 @@ def simulate(
         [<0.000000 cue_ball cue>, <0.257281 ball_ball 1 cue>]
     """
     layout = table.settle(layout)
+    physics = table.physics if shot is None else table.physics.struck_by(shot)
     # Sorted, so that the order in which balls are given is of no consequence.
-    world = World(table.bodies(sorted(layout.on_table())), table.physics, list(table.elements), table.bed)
+    world = World(table.bodies(sorted(layout.on_table())), physics, list(table.elements), table.bed)
     if shot is not None:
         world.strike(shot)
     limit = budget if events is None else min(events, budget)

@@ -42,7 +42,7 @@ def hop(shot: Shot, mass: float, physics: Physics) -> tuple[float, float, float,
     What the engine does, in closed form, for who is about to strike: the ball is driven into the slate at
     v sin(th) and comes back at e times that. Friction with the cloth, which shortens the way, is left out.
     """
-    cue = physics.cue
+    cue = physics.struck_by(shot).cue
     offsets = 2.5 * (shot.side**2 + shot.height**2)
     inertia = 1.0 / cue.mass + (1.0 + offsets) / mass
     speed = (1.0 + cue.tip_restitution) * shot.speed / (inertia * mass)

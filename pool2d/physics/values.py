@@ -121,7 +121,7 @@ class Shot:
     the tip's offset as fractions of the ball's radius, in the plane across the cue (side > 0 is
     right-hand english, height > 0 is follow); `elevation` the butt's angle above level, degrees.
     An `easy` stroke is one whose cue is in nobody's way: it need not clear rails and balls, and is gone
-    once it has met the ball.
+    once it has met the ball. A `jump` is played with the jump cue.
 
     Examples:
         >>> from pool2d import Shot
@@ -140,6 +140,7 @@ class Shot:
     elevation: float = 0.0
     ball: str = "cue"
     easy: bool = False
+    jump: bool = False
 
     def check(self, source: str = "shot") -> None:
         """Raises InputError where a number is not finite, out of range, or the tip misses the ball."""

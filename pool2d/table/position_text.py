@@ -9,7 +9,7 @@
 | `1@1.905,0.635` | a ball at rest and its place, m; `,r0.03` its own radius, `,m0.2` its own mass |
 | `8@2.6,1.3!` | a ball that has been pocketed, and where it fell; `!!` one that has left the table |
 | `cue:12.5,3.0,0.2,-0.1,5.0` | a shot: the ball, angle, speed, side, height, elevation; zeros at the end are left out |
-| `cue:12.5,3.0,easy` | the same with an easy stroke |
+| `cue:12.5,3.0,easy` | the same with an easy stroke; `jump` with the jump cue |
 
 Numbers are the shortest that read back to the same bits, so what is written reads back equal. What is
 no letter, digit or one of `_.-~/` in a name is escaped as in an address: %20 is a blank. A ball's motion
@@ -32,8 +32,8 @@ from .table import Table
 _LONGEST = 200_000
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
 _SHOT = ("angle", "speed", "side", "height", "elevation")
-# What ends the text of an easy stroke.
-_EASY = "easy"
+# What ends the text of a shot for which it is so, in this order.
+_WORDS = ("easy", "jump")
 # What follows a ball that is no longer played.
 _SIGNS: dict[Phase, str] = {POCKETED: "!", OFF: "!!"}
 _ALLOWED = "allowed are a table, knob=value, ball@x,y and one ball:angle,speed"
@@ -67,7 +67,7 @@ def write_shot(shot: Shot) -> str:
     numbers = [float(getattr(shot, name)) for name in _SHOT]
     while len(numbers) > 2 and not numbers[-1] and repr(numbers[-1]) == "0.0":
         numbers.pop()
-    parts = [*map(repr, numbers), *([_EASY] if shot.easy else [])]
+    parts = [*map(repr, numbers), *(word for word in _WORDS if getattr(shot, word))]
     return f"{_escaped(shot.ball)}:{','.join(parts)}"
 
 
@@ -135,12 +135,10 @@ def _ball(name: str, text: str, word: str, source: str) -> Ball:
 
 def _shot(name: str, text: str, word: str, source: str) -> Shot:
     parts = text.split(",")
-    easy = parts[-1] == _EASY
-    if easy:
-        parts.pop()
+    jump, easy = (bool(parts) and parts[-1] == said and bool(parts.pop()) for said in reversed(_WORDS))
     if not 2 <= len(parts) <= len(_SHOT) or not all(_NUMBER.fullmatch(part) for part in parts):
         raise InputError(source, "shot", word, "allowed is ball:angle,speed,side,height,elevation")
-    shot = Shot(ball=name, **dict(zip(_SHOT, map(float, parts), strict=False)), easy=easy)
+    shot = Shot(ball=name, **dict(zip(_SHOT, map(float, parts), strict=False)), easy=easy, jump=jump)
     shot.check(source)
     return shot
 

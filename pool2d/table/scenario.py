@@ -27,6 +27,7 @@ _SHOT_KEYS = tuple(Shot.__dataclass_fields__)
 _SHOT_KINDS: dict[str, tuple[tuple[type, ...], str]] = {
     "ball": ((str,), "a ball"),
     "easy": ((bool,), "true or false"),
+    "jump": ((bool,), "true or false"),
 }
 
 

@@ -187,7 +187,7 @@ class Table:
                 entry["balls"].append(given)
         if shot is not None:
             told = {name: getattr(shot, name) for name in Shot.__dataclass_fields__}
-            entry["shot"] = told if shot.easy else {name: told[name] for name in told if name != "easy"}
+            entry["shot"] = {name: value for name, value in told.items() if value is not False}
         return entry
 
     # What a person asks.
@@ -207,7 +207,7 @@ class Table:
 
     def ground(self, x: float, y: float) -> float:
         """How high what lies below a point is above the cloth, m: off the cloth it is the top of the rails."""
-        return 0.0 if self.on_cloth(x, y) else self.knobs.cushion.nose_height
+        return self.bed.ground.high if self.bed.ground.on_rail(x, y) else 0.0
 
     def element_gap(self, x: float, y: float, radius: float) -> tuple[float, Element | None]:
         """How far a ball here is from the nearest element, and which; infinite where none is near."""

@@ -38,6 +38,7 @@ shots = st.builds(
     elevation=st.floats(0.0, 90.0),
     ball=names,
     easy=st.booleans(),
+    jump=st.booleans(),
 )
 
 
@@ -79,6 +80,8 @@ def test_it_is_short_and_plain() -> None:
     text = write(layout, Shot(12.5, 3.0, side=0.2))
     assert text == "cue@0.635,0.3175 8@2.6,1.3! my%20ball@1.0,1.0,m0.2 cue:12.5,3.0,0.2"
     assert write_shot(Shot(12.5, 3.0, easy=True)) == "cue:12.5,3.0,easy"
+    assert write_shot(Shot(12.5, 3.0, easy=True, jump=True)) == "cue:12.5,3.0,easy,jump"
+    assert read_shot("cue:12.5,3.0,jump") == Shot(12.5, 3.0, jump=True)
 
 
 @pytest.mark.parametrize(
@@ -102,6 +105,8 @@ def test_it_is_short_and_plain() -> None:
         ("cue:easy", "allowed is ball:angle,speed"),
         ("cue:1,easy", "allowed is ball:angle,speed"),
         ("cue:1,easy,2", "allowed is ball:angle,speed"),
+        ("cue:1,2,jump,easy", "allowed is ball:angle,speed"),
+        ("cue:jump", "allowed is ball:angle,speed"),
         ("cue:1,2,eas", "allowed is ball:angle,speed"),
         ("cue:1,60", "shot.speed = 60.0: allowed is a number from 0 to 50 m/s"),
         ("cue:1,2,0.9,0.9", "the tip is off the ball"),

@@ -88,7 +88,8 @@ class Record:
             now = as_data(self._preset())
         except InputError:
             return GONE
-        return "" if now == self.table_data else CHANGED
+        # Knobs that have come to be since are as they were when there was no turning them.
+        return "" if now == as_data(self.table()) else CHANGED
 
     @property
     def played_by(self) -> Identity | None:

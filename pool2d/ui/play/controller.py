@@ -65,6 +65,7 @@ class Controller:
             **self.editing.keys,
             **self.positions.keys,
             "strike": self._enter,
+            "jump_cue": self._change_cue,
             "guide": self._next_guide,
             "fast": lambda: self._fast_forward(True),
             "replay": self._replay,
@@ -241,6 +242,17 @@ class Controller:
     def _fast_forward(self, fast: bool) -> None:
         if self.state.playback is not None:
             self.state.playback.fast = fast
+
+    def _change_cue(self) -> None:
+        """Take the jump cue, or put it away again."""
+        state, words = self.state, self.state.words
+        if state.playback is not None:
+            return
+        state.hands.aim = state.hands.aim.with_other_cue()
+        if state.hands.aim.jump:
+            state.messages.show(lambda: words.say("play.jump_cue", key=words.key("jump_cue")))
+        else:
+            state.messages.show(lambda: words.say("play.playing_cue"))
 
     def _next_guide(self) -> None:
         say = self.state.words.say

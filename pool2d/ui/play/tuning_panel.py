@@ -27,7 +27,7 @@ PAGES: dict[str, tuple[str, ...]] = {
     "balls": ("ball.",),
     "cushions": ("cushion.",),
     "pockets": ("corner.", "side.", "facing."),
-    "cue": ("cue.",),
+    "cue": ("cue.", "jump_cue."),
     "table": ("table.",),
     "by_hand": (),
 }

@@ -51,7 +51,9 @@ def draw_controls(
     surface: pygame.Surface, words: Words, screen: Screen, aim: Aim, speed: float, tip_friction: float
 ) -> None:  # fmt: skip
     """The ball diagram, the cue diagram and the speed."""
-    surface.blit(_diagrams(screen, aim.side, aim.height, aim.elevation, miscue_limit(tip_friction)), screen.bottom)
+    named = words.say("play.with_jump_cue") if aim.jump else ""
+    limit = miscue_limit(tip_friction)
+    surface.blit(_diagrams(screen, aim.side, aim.height, aim.elevation, limit, named), screen.bottom)
     bar = screen.power
     radius = bar.height // 2
     y = screen.bottom.top + screen.unit * 2
@@ -83,13 +85,16 @@ def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: t
 
 
 @lru_cache(maxsize=4)
-def _diagrams(screen: Screen, side: float, height: float, elevation: float, limit: float) -> pygame.Surface:
-    """The left part of the lower bar with the ball and cue diagrams; drawn once for each aim, then remembered."""
+def _diagrams(screen: Screen, side: float, height: float, elevation: float, limit: float, named: str) -> pygame.Surface:
+    """The left part of the lower bar with the ball and cue diagrams; drawn once for each aim, then remembered.
+
+    `named` is what the cue is called that is none for playing.
+    """
     bar, aim = screen.bottom, Aim(side=side, height=height, elevation=elevation)
     surface = pygame.Surface((screen.cue_diagram.right + screen.unit, bar.height))
     surface.fill(theme.PANEL[:3])
     _ball_diagram(surface, screen.ball_diagram.move(0, -bar.top), aim, limit)
-    _cue_diagram(surface, screen.cue_diagram.move(0, -bar.top), screen, aim)
+    _cue_diagram(surface, screen.cue_diagram.move(0, -bar.top), screen, aim, named)
     return surface
 
 
@@ -107,7 +112,7 @@ def _ball_diagram(surface: pygame.Surface, box: pygame.Rect, aim: Aim, limit: fl
     pen.disc(surface, theme.CUE_TIP if clean else theme.WARNING, tip, radius * 0.2)
 
 
-def _cue_diagram(surface: pygame.Surface, box: pygame.Rect, screen: Screen, aim: Aim) -> None:
+def _cue_diagram(surface: pygame.Surface, box: pygame.Rect, screen: Screen, aim: Aim, named: str) -> None:
     unit = screen.unit
     centre, radius = (screen.cue_ball_centre[0], box.bottom - unit * 2.5), unit * 1.5
     floor = centre[1] + radius
@@ -118,9 +123,12 @@ def _cue_diagram(surface: pygame.Surface, box: pygame.Rect, screen: Screen, aim:
     start = (centre[0] - ahead[0] * radius + up[0] * aim.height * radius,
              centre[1] - ahead[1] * radius + up[1] * aim.height * radius)  # fmt: skip
     length = unit * (9.5 if aim.elevation < 40.0 else 7.0 - 2.0 * aim.elevation / MAX_ELEVATION)
+    length *= 0.75 if named else 1.0
     butt = (start[0] - ahead[0] * length, start[1] - ahead[1] * length)
     pen.disc(surface, theme.IVORY, centre, radius)
     pen.line(surface, theme.CUE_SHAFT, start, butt, unit * 0.45)
     pen.line(surface, theme.CUE_TIP, start, (start[0] - ahead[0] * 4, start[1] - ahead[1] * 4), unit * 0.45)
     label = f"{aim.elevation:.0f}\N{DEGREE SIGN}"
-    text.draw(surface, label, screen.small, theme.QUIET, (box.left, box.top))
+    place = text.draw(surface, label, screen.small, theme.QUIET, (box.left, box.top))
+    if named:
+        text.draw(surface, named, screen.small, theme.ACCENT, (place.right + unit, box.top))

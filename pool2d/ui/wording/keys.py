@@ -24,6 +24,7 @@ DEFAULTS: dict[str, tuple[int, ...]] = {
     "no_spin": (pygame.K_BACKSPACE,),
     "lower": (pygame.K_q,),
     "raise": (pygame.K_e,),
+    "jump_cue": (pygame.K_F8,),
     "guide": (pygame.K_g,),
     "vectors": (pygame.K_v,),
     "fast": (pygame.K_TAB,),

@@ -242,14 +242,14 @@ def test_while_a_row_waits_it_gets_tab_and_esc_and_the_windows_keys(mine: Hand) 
 
 def test_delete_sets_a_key_back_and_reset_all_of_them(mine: Hand, store: Store) -> None:
     scene = options(mine, "keys")
-    for action, key in (("guide", pygame.K_h), ("rack", pygame.K_z)):
+    for action, key in (("guide", pygame.K_h), ("replay", pygame.K_z)):
         click(mine, row(scene, action).rect.center)
         mine.key(key)
     click(mine, row(scene, "guide").rect.center)
     mine.key(pygame.K_ESCAPE)
     mine.key(pygame.K_DELETE)
     assert mine.app.words.key("guide") == "G"
-    assert set(store.keys) == {"rack"}
+    assert set(store.keys) == {"replay"}
     scene._reset()
     assert mine.app.words.keys.chords == DEFAULTS
     assert store.keys == {}
