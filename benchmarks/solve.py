@@ -69,6 +69,11 @@ def guesses(drill: Drill, standing: Standing, rng: random.Random) -> Iterator[Sh
             ball = rng.choice(targets)
             half = math.asin(min(1.0, drill.table.touch(cue, ball) / math.dist((cue.x, cue.y), (ball.x, ball.y))))
             angle = math.degrees(math.atan2(ball.y - cue.y, ball.x - cue.x) + half * rng.uniform(-1.0, 1.0))
+        if step.over:
+            # What has to fly over a ball is struck from well above, without english.
+            speed, elevation, jump = rng.uniform(2.0, 6.0), rng.uniform(25.0, 70.0), rng.random() < 0.7
+            yield Shot(round(angle, 3), round(speed, 2), 0.0, 0.0, round(elevation, 1), cue.id, jump=jump)
+            continue
         side, height = (rng.choice([0.0, rng.uniform(-0.4, 0.4)]) for _ in range(2))
         speed = math.exp(rng.uniform(math.log(0.7), math.log(9.0)))
         yield Shot(round(angle, 3), round(speed, 3), round(side, 2), round(height, 2), ball=cue.id)

@@ -11,6 +11,7 @@ Row = Mapping[str, str]
 # What is asked of a shot as a whole, by the words for its mean.
 _WHOLE = {
     "potted": "balls potted",
+    "off": "balls that leave the table",
     "scratch": "share of shots in which the struck ball falls",
     "miscue": "share of shots in which the tip slips",
     "duration": "duration, s",
@@ -19,6 +20,7 @@ _WHOLE = {
 # What is asked of one ball.
 _OF_BALL = {
     "potted": "share of shots in which ball {} falls",
+    "off": "share of shots in which ball {} leaves the table",
     "first": "share of shots in which ball {} is met first",
     "cushions": "cushions that ball {} comes to",
 }
@@ -35,7 +37,7 @@ class Outcome:
 
 
 def outcome_of(name: str, balls: Sequence[str], source: str, key: str) -> Outcome:
-    """The outcome of a name: "potted", "scratch" and so on, or "potted.8", "first.8", "cushions.cue".
+    """The outcome of a name: "potted", "scratch" and so on, or "potted.8", "first.8", "off.8", "cushions.cue".
 
     Raises InputError for one that is not known, or whose ball is not there.
     """
@@ -51,5 +53,5 @@ def outcome_of(name: str, balls: Sequence[str], source: str, key: str) -> Outcom
     if whole == "potted":
         column = f"{ball}.pocket"
         return Outcome(name, title, (column,), lambda row: float(row[column] != ""))
-    column = f"{ball}.cushions"
+    column = f"{ball}.{whole}"
     return Outcome(name, title, (column,), lambda row: float(row[column]))

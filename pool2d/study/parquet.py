@@ -11,7 +11,7 @@ from ..errors import InputError
 
 _KEY = b"pool2d study"
 _TEXTS = ("study", "struck", "first", "error", "scenario")
-_WHOLE = ("shot", "potted", "events")
+_WHOLE = ("shot", "potted", "off", "events")
 _YES_NO = ("scratch", "miscue")
 
 
@@ -64,6 +64,6 @@ def _type(arrow: Any, name: str) -> Any:
     of_ball = name.rpartition(".")[2] if "." in name else ""
     if name in _TEXTS or of_ball == "pocket":
         return arrow.string()
-    if name in _YES_NO:
+    if name in _YES_NO or of_ball == "off":
         return arrow.bool_()
     return arrow.int64() if name in _WHOLE or of_ball == "cushions" else arrow.float64()

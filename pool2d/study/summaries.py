@@ -34,6 +34,7 @@ class Summaries:
         struck: The ball that the cue met, (n,).
         first: The ball that the struck ball met first, (n,).
         pocket: The pocket that each ball fell into, (n, b).
+        off: Whether each ball left the table, (n, b).
         x: Where each ball came to rest, (n, b), m; nan for one that is not on the table. So is `y`.
         y: See `x`.
         cushions: How often each ball came to a cushion or a jaw, (n, b): one that is pressed against a cushion on
@@ -55,6 +56,7 @@ class Summaries:
     struck: Numbers
     first: Numbers
     pocket: Numbers
+    off: npt.NDArray[np.bool_]
     x: Floats
     y: Floats
     cushions: npt.NDArray[np.int32]
@@ -83,6 +85,12 @@ class Summaries:
         fallen: npt.NDArray[np.int64] = self.fell.sum(axis=1) - self.scratch
         return fallen
 
+    @property
+    def left(self) -> npt.NDArray[np.int64]:
+        """How many balls left the table, the struck one included, (n,)."""
+        left: npt.NDArray[np.int64] = self.off.sum(axis=1)
+        return left
+
     def of_struck(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
         """Of a column of shape (n, b), what it says of the ball that was struck, (n,); 0 where there was none."""
         if not self.balls:
@@ -100,11 +108,11 @@ class Summaries:
         pockets = np.array([*self.pockets, ""], object)
         plain = ("angle", "speed", "side", "height", "elevation")
         columns: dict[str, npt.NDArray[Any]] = {name: getattr(self, name) for name in plain}
-        columns |= {"struck": balls[self.struck], "first": balls[self.first], "potted": self.potted}
+        columns |= {"struck": balls[self.struck], "first": balls[self.first], "potted": self.potted, "off": self.left}
         columns |= {name: getattr(self, name) for name in ("scratch", "miscue", "duration", "events")}
         for i, ball in enumerate(self.balls):
             columns[f"{ball}.pocket"] = pockets[self.pocket[:, i]]
-            columns |= {f"{ball}.{name}": getattr(self, name)[:, i] for name in ("cushions", "x", "y")}
+            columns |= {f"{ball}.{name}": getattr(self, name)[:, i] for name in ("off", "cushions", "x", "y")}
         columns["error"] = self.error
         return columns
 
@@ -114,11 +122,11 @@ TYPES: dict[str, type] = {
     **dict.fromkeys(("angle", "speed", "side", "height", "elevation", "x", "y", "duration"), np.float64),
     **dict.fromkeys(("struck", "first", "pocket"), np.int16),
     **dict.fromkeys(("cushions", "events"), np.int32),
-    "miscue": np.bool_,
+    **dict.fromkeys(("off", "miscue"), np.bool_),
     "error": np.object_,
 }
 COLUMNS = tuple(field.name for field in fields(Summaries) if field.name in TYPES)
-_OF_BALLS = ("pocket", "x", "y", "cushions")
+_OF_BALLS = ("pocket", "off", "x", "y", "cushions")
 
 
 def gathered(

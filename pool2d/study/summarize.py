@@ -55,18 +55,23 @@ class _Clerk:
         """What came of the shot."""
         first, miscue = NONE, False
         pocket, cushions = [NONE] * len(self.balls), [0] * len(self.balls)
+        off = [False] * len(self.balls)
         arrivals = Arrivals(self.table, rollout)
         for event in rollout.events:
             if first == NONE:
                 first = next((self._other(pair, shot.ball) for pair in event.pairs if shot.ball in pair), NONE)
             for ball, cushion in event.rails:
-                cushions[self.ball[ball]] += arrivals.arrives(ball, cushion, event.t)
+                # The back of a pocket is none.
+                if cushion in self.table.rails:
+                    cushions[self.ball[ball]] += arrivals.arrives(ball, cushion, event.t)
             if event.kind == "ball_pocket":
                 pocket[self.ball[event.balls[0]]] = self.pocket[event.where or ""]
+            if event.kind == "ball_off":
+                off[self.ball[event.balls[0]]] = True
             miscue = miscue or (event.kind == "cue_ball" and event.where == MISCUE)
         rests = {ball.id: (ball.x, ball.y) for ball in rollout.layout().on_table()}
         x, y = zip(*(rests.get(ball, (math.nan, math.nan)) for ball in self.balls), strict=True)
-        return first, pocket, x, y, cushions, rollout.duration, len(rollout.events), miscue, ""
+        return first, pocket, off, x, y, cushions, rollout.duration, len(rollout.events), miscue, ""
 
     def _other(self, pair: tuple[str, str], ball: str) -> int:
         return self.ball[pair[1] if pair[0] == ball else pair[0]]
@@ -75,4 +80,4 @@ class _Clerk:
         """What is told of a shot that failed."""
         size = len(self.balls)
         lost = (math.nan,) * size
-        return NONE, (NONE,) * size, lost, lost, (0,) * size, math.nan, 0, False, why
+        return NONE, (NONE,) * size, (False,) * size, lost, lost, (0,) * size, math.nan, 0, False, why

@@ -27,6 +27,9 @@ class Arrivals:
 
     def arrives(self, ball: str, cushion: str, t: float) -> bool:
         """Whether a ball comes to a cushion at `t`, rather than being pressed against it where it lay."""
+        if cushion not in self._table.rails:
+            # The back of a pocket, on which no ball lies.
+            return True
         last = self._last.get((ball, cushion))
         self._last[ball, cushion] = t
         if last is None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ...physics.rollout import Rollout
-from ...physics.values import POCKETED, Layout, Shot
+from ...physics.values import GONE, Layout, Shot
+from ...table.flights import jumped
 from ...table.table import Table
 from ..referee import observe
 from ..rules.report import BALL, POCKET, RAIL, Report
@@ -18,7 +19,7 @@ ANY = "any"
 # What a stroke may fail to do; the words for each are the window's.
 MISSES = (
     "cue_fell", "wrong_first", "not_potted", "few_banks", "not_all_hit", "few_rails", "cushion_met", "wrong_way",
-    "few_driven", "wrong_rest",
+    "few_driven", "not_jumped", "wrong_rest",
 )  # fmt: skip
 
 
@@ -35,7 +36,7 @@ class RestArea:
     def holds(self, layout: Layout) -> bool:
         """Whether the ball lies there."""
         ball = layout.get(self.ball)
-        if ball is None or ball.phase == POCKETED:
+        if ball is None or ball.phase in GONE:
             return False
         near = self.at is None or math.dist((ball.x, ball.y), self.at) <= self.within
         return near and self.x[0] <= ball.x <= self.x[1] and self.y[0] <= ball.y <= self.y[1]
@@ -58,6 +59,7 @@ class Step:
     banks: int = 0
     driven: int = 0
     clear: bool = False
+    over: tuple[str, ...] = ()
     via: tuple[str, ...] = ()
     rest: tuple[RestArea, ...] = ()
     respot: bool = False
@@ -151,7 +153,8 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
     """What a stroke makes of an attempt: one step further, or over."""
     step = drill.steps[standing.done]
     report, layout = observe(drill.table, rollout), rollout.layout()
-    missed = faults(drill.table, step, report, layout)
+    over = [one.ball for one in jumped(rollout, drill.table, report.cue)] if step.over else []
+    missed = faults(drill.table, step, report, layout, over)
     if missed:
         return Standing(layout, standing.done, missed, over=True)
     done = standing.done + 1
@@ -163,12 +166,15 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
     return Standing(layout if after is None else after, done)
 
 
-def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
-    """What a stroke failed to do of a step: one of MISSES; "" where it did all."""
+def faults(table: Table, step: Step, report: Report, layout: Layout, over: Collection[str] = ()) -> str:
+    """What a stroke failed to do of a step: one of MISSES; "" where it did all.
+
+    `over` are the balls that the cue ball has jumped before it met one.
+    """
     fell = [pot.ball for pot in report.pots if _fits(table, pot.ball, step.pot) and step.pocket in ("", pot.pocket)]
     struck = [c.other for c in report.of(report.cue) if c.kind == BALL]
     checks = {
-        "cue_fell": not report.cue_gone,
+        "cue_fell": not report.cue_gone and layout[report.cue].phase not in GONE,
         "wrong_first": not step.first or any(_fits(table, b, step.first) for b in report.first),
         "not_potted": not step.pot or len(fell) >= step.least,
         "few_banks": not step.banks or _banks(report, fell[:1]) >= step.banks,
@@ -177,6 +183,7 @@ def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
         "cushion_met": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
         "wrong_way": set(step.via) <= {c.other for c in report.of(report.cue)},
         "few_driven": len(report.driven) >= step.driven,
+        "not_jumped": set(step.over) <= set(over),
         "wrong_rest": all(rest.holds(layout) for rest in step.rest),
     }
     return next((miss for miss, good in checks.items() if not good), "")

@@ -17,6 +17,7 @@ A drill is a TOML file in `assets/drills` or the user's own `drills` folder:
     banks = 1                       # cushions that the potted ball meets before it falls
     driven = 4                      # balls that are driven to a cushion or fall
     clear = true                    # the cue ball meets no cushion
+    over = ["7"]                    # balls that the cue ball jumps before it meets one
     via = ["right"]                 # cushions that the cue ball has to meet
     rest = [{ ball = "cue", x = [1.2, 1.4], y = [0.5, 0.8] }]     # where balls come to rest; also
                                                                   # { at = [x, y], within = m }
@@ -50,8 +51,8 @@ _LONGEST = {"name": 80, "text": 1000}
 _MOST_STEPS = 100
 _LANGUAGE = re.compile("[a-z]{2}")
 _STEP_KEYS = (
-    "position", "pot", "least", "pocket", "first", "hits", "rails", "banks", "driven", "clear", "via",
-    "rest", "respot",
+    "position", "pot", "least", "pocket", "first", "hits", "rails", "banks", "driven", "clear", "over",
+    "via", "rest", "respot",
 )  # fmt: skip
 _REST_KEYS = ("ball", "x", "y", "at", "within")
 
@@ -131,6 +132,7 @@ def _step(data: Any, table: Table, key: str, source: str) -> Step:
         banks=_count(data, "banks", source, key),
         driven=_count(data, "driven", source, key),
         clear=value_of(data, "clear", bool, source, False, prefix=key),
+        over=tuple(map(str, value_of(data, "over", list, source, [], prefix=key))),
         via=tuple(map(str, value_of(data, "via", list, source, [], prefix=key))),
         rest=tuple(
             _rest(entry, f"{key}rest", source) for entry in value_of(data, "rest", list, source, [], prefix=key)
@@ -172,9 +174,11 @@ def _check_balls(steps: Sequence[Step], first: Layout, table: Table, source: str
     named = {ANY, *balls, *table.furniture.groups}
     for i, step in enumerate(steps):
         asked = [("pot", step.pot), ("first", step.first), *(("hits", ball) for ball in step.hits)]
-        for key, ball in [*asked, *(("rest", rest.ball) for rest in step.rest)]:
-            if ball and ball not in (balls if key == "rest" else named):
-                raise InputError(source, f"steps[{i}].{key}", ball, suggest(ball, balls if key == "rest" else named))
+        single = [*(("over", ball) for ball in step.over), *(("rest", rest.ball) for rest in step.rest)]
+        for known, entries in ((named, asked), (balls, single)):
+            for key, ball in entries:
+                if ball and ball not in known:
+                    raise InputError(source, f"steps[{i}].{key}", ball, suggest(ball, known))
 
 
 def _count(data: Mapping[str, Any], key: str, source: str, prefix: str, least: int = 0) -> int:

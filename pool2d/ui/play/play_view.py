@@ -13,7 +13,7 @@ from ...draw.debug import ScreenPen, draw_geometry
 from ...draw.view import View
 from ...game.rules import AIM, CHOOSE
 from ...game.rules.spotting import KITCHEN, D
-from ...physics.strike import hop, miscue_limit
+from ...physics.strike import miscue_limit
 from ...table.flights import flies
 from ..frame import Frame
 from ..stage import bars, scoreboard
@@ -21,13 +21,11 @@ from ..stage.legend import draw_legend
 from ..stage.playback import Playback
 from ..stage.shot_view import in_motion
 from ..stage.stage import Stage
+from ..wording import flight_text
 from . import drill_marks
 from .call_words import called, off_target
 from .controller import Controller
 from .state import PlayState
-
-# From this height on, m, the player is told that a real ball would leave the cloth.
-_HOP = 0.005
 
 
 def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
@@ -77,14 +75,12 @@ def notes(state: PlayState, speed: float) -> str:
 
 
 def hop_note(state: PlayState, speed: float) -> str:
-    """What to say of a stroke so steep and hard that a real ball would leave the cloth."""
+    """What to say of a stroke so steep and hard that its ball leaves the cloth."""
     if state.hands.aim.elevation == 0.0 or state.playback is not None or state.session.in_hand:
         return ""
-    knobs = state.session.table.knobs
-    apex = hop(state.hands.aim.shot("", speed), state.session.table.body_of(state.session.cue)[1], knobs)[1]
-    if apex < _HOP:
-        return ""
-    return state.words.say("play.hop", height=f"{1000.0 * apex:.0f} mm")
+    session, shot, level = state.session, state.aimed(speed), state.show.level
+    foreseen = state.foresight.rollout(session.table, level, session.layout, shot) if level != guide.NONE else None
+    return flight_text.aimed(state.words, session.table, shot, session.table.body_of(session.cue)[1], foreseen)
 
 
 def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:

@@ -123,7 +123,7 @@ def _cue_diagram(surface: pygame.Surface, box: pygame.Rect, screen: Screen, aim:
     start = (centre[0] - ahead[0] * radius + up[0] * aim.height * radius,
              centre[1] - ahead[1] * radius + up[1] * aim.height * radius)  # fmt: skip
     length = unit * (9.5 if aim.elevation < 40.0 else 7.0 - 2.0 * aim.elevation / MAX_ELEVATION)
-    length *= 0.75 if named else 1.0
+    length *= 0.5 if named else 1.0
     butt = (start[0] - ahead[0] * length, start[1] - ahead[1] * length)
     pen.disc(surface, theme.IVORY, centre, radius)
     pen.line(surface, theme.CUE_SHAFT, start, butt, unit * 0.45)
