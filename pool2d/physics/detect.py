@@ -15,6 +15,8 @@ from .values import EventKind
 
 # How far two surfaces may enter each other before they count as met, m.
 SKIN: Final = 5e-10
+# In the air, where nothing lies frozen, less will do, m.
+AIR_SKIN: Final = 1e-11
 # A gap that is no more than rounding after a contact was solved, m, and such a speed, m/s.
 TOUCH: Final = 1e-12
 NOISE: Final = 1e-12
@@ -198,7 +200,7 @@ def time_in_the_air(a: Motion, b: Motion, now: float, end: float, a_radius: floa
     vy = b.vy + 2.0 * b.hy * t - a.vy - 2.0 * a.hy * s
     vz = b.vz + 2.0 * b.hz * t - a.vz - 2.0 * a.hz * s
     hx, hy, hz = b.hx - a.hx, b.hy - a.hy, b.hz - a.hz
-    touch = a_radius + b_radius - SKIN
+    touch = a_radius + b_radius - AIR_SKIN
     return now + entering(
         x * x + y * y + z * z - touch * touch,
         2.0 * (x * vx + y * vy + z * vz),

@@ -12,7 +12,7 @@ from ..motion import Motion
 from ..roots import INF, falling_root
 from ..standing import Point, inside
 from ..values import AIRBORNE
-from .holes import OVERHANG, Back, Brink, Rim
+from .holes import Back, Brink, Rim
 from .impact import LEAST, Surface, land
 from .solids import Boundary, RoundNose, Solid, StraightNose
 
@@ -47,10 +47,8 @@ class Ground:
         """The pocket whose hole is open under a place: the rails cover it beside the facings."""
         for pocket in self.pockets:
             distance = math.hypot(x - pocket.x, y - pocket.y)
-            if distance < pocket.radius + OVERHANG and (
-                (x - pocket.x) * pocket.ux + (y - pocket.y) * pocket.uy <= 0.0
-                or (distance < pocket.radius and inside(x, y, self.cloth))
-            ):
+            behind = (x - pocket.x) * pocket.ux + (y - pocket.y) * pocket.uy <= 0.0
+            if distance < pocket.radius and (behind or inside(x, y, self.cloth)):
                 return pocket
         return None
 
@@ -184,11 +182,14 @@ def _ledges(facing: Rail, x: float, y: float, ground: Ground, surface: Surface) 
         px, py = x - pocket.x, y - pocket.y
         beside = px * pocket.uy - py * pocket.ux
         if abs(px * pocket.ux + py * pocket.uy) < 1e-9 and 0.0 < abs(beside) < pocket.radius:
-            far = math.copysign(pocket.radius + OVERHANG, beside)
+            far = math.copysign(pocket.radius, beside)
             ends = [(x, y), (pocket.x + far * pocket.uy, pocket.y - far * pocket.ux)]
             # The open side is on the left of a nose's way.
             (ax, ay), (bx, by) = ends if beside < 0.0 else ends[::-1]
-            return [StraightNose(Rail(f"{pocket.name} back", ax, ay, bx, by), surface, ground.low, ground.high)]
+            return [
+                StraightNose(Rail(f"{pocket.name} back", ax, ay, bx, by), surface, ground.low, ground.high),
+                Boundary(None, "", surface, bx, by, ax, ay, False),
+            ]
     return []
 
 

@@ -12,8 +12,8 @@ from ..values import AIRBORNE, EventKind
 from .impact import GENTLE, Surface, Vector
 from .solids import Solid, first_touch
 
-# The back of a pocket is set back from the hole's edge by so much, m, as its facings stand over the slate's: a ball
-# that touches one comes past its end clear of the back.
+# A ball that touches a facing, which stands over the slate, comes past its end by up to so much, m, nearer to the back
+# of its pocket than it may touch that; the back gives way.
 OVERHANG: Final = 2e-3
 
 
@@ -91,7 +91,7 @@ class Back(Hole):
     __slots__ = ("high",)
 
     def __init__(self, pocket: Pocket, surface: Surface, high: float) -> None:
-        super().__init__("ball_cushion", f"{pocket.name} back", pocket, surface, pocket.radius + OVERHANG)
+        super().__init__("ball_cushion", f"{pocket.name} back", pocket, surface, pocket.radius)
         self.high = high
 
     def time(self, motion: Motion, radius: float, end: float) -> float:
@@ -102,9 +102,10 @@ class Back(Hole):
 
     def gap(self, x: float, y: float, centre: float, radius: float) -> float:
         distance = math.hypot(x - self.x, y - self.y)
-        if distance >= self.radius or self.inward(x, y) > 0.0:
+        # A ball that sinks beside the back may come round to it a little too near: there it is leather, and a net.
+        if distance >= self.radius or self.inward(x, y) > 0.0 or centre < radius:
             return INF
-        return math.hypot(self.radius - distance, max(0.0, centre - self.high)) - radius
+        return math.hypot(self.radius + OVERHANG - distance, max(0.0, centre - self.high)) - radius
 
 
 @final
@@ -114,11 +115,16 @@ class Brink(Hole):
     __slots__ = ()
 
     def __init__(self, pocket: Pocket, surface: Surface) -> None:
-        super().__init__(None, pocket.name, pocket, surface, pocket.radius + OVERHANG)
+        super().__init__(None, pocket.name, pocket, surface, pocket.radius)
 
     def time(self, motion: Motion, radius: float, end: float) -> float:
         if motion.phase == AIRBORNE:
             return INF
-        return time_to_circle(
+        t = time_to_circle(
             self.x - motion.x, self.y - motion.y, -motion.vx, -motion.vy, -motion.hx, -motion.hy, self.radius, end
         )
+        if t == INF:
+            return INF
+        x, y = motion.place(motion.t0 + t)
+        # Beside the facings the rail covers the hole.
+        return t if self.inward(x, y) <= 0.0 else INF

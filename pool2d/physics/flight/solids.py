@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable
 from typing import Final, final
 
-from ..detect import SKIN, TOUCH, Rail, entering
+from ..detect import AIR_SKIN, SKIN, TOUCH, Rail, entering
 from ..motion import Motion
 from ..roots import INF, falling_root, first_root
 from ..values import AIRBORNE, EventKind
@@ -77,7 +77,7 @@ class StraightNose(Solid):
         first = self._edge(motion, c0, c1, radius, self.low, end)
         if self.high > self.low:
             first = min(first, self._edge(motion, c0, c1, radius, self.high, end))
-            t = falling_root(c0 - radius + SKIN, c1, 0.0)
+            t = falling_root(c0 - radius + AIR_SKIN, c1, 0.0)
             if 0.0 <= t < min(end, first) and self.low < _centre(motion, radius, t) < self.high:
                 first = t
         along = (px + motion.vx * first) * self.dx + (py + motion.vy * first) * self.dy if first < INF else INF
@@ -88,7 +88,7 @@ class StraightNose(Solid):
         w0, w1, w2 = motion.z + radius - height, motion.vz, motion.hz
         # On the cloth the depth of a contact is counted in plan: at the same height it is this much less.
         reach = math.sqrt(max(0.0, height * (2.0 * radius - height))) / radius
-        touch = radius - 0.5 * SKIN * max(reach, 0.01)
+        touch = radius - AIR_SKIN * max(reach, 0.01)
         q0, q1 = c0 * c0 + w0 * w0 - touch * touch, 2.0 * (c0 * c1 + w0 * w1)
         q2, q3, q4 = c1 * c1 + w1 * w1 + 2.0 * w0 * w2, 2.0 * w1 * w2, w2 * w2
         # Beyond its ends a ball may be far within the line of a nose, and comes to the nose only from without.
@@ -221,7 +221,7 @@ def first_touch(
         u, w = beside(first, last), _level(motion, radius, first, last, low, high)
         return u * u + w * w
 
-    touch = radius - 0.5 * SKIN
+    touch = radius - AIR_SKIN
     level = touch * touch
     now = room(0.0, 0.0)
     if now <= level + 2.0 * radius * TOUCH:
