@@ -55,7 +55,7 @@ class FacingKnobs:
 class RailKnobs:
     """The top of the rails, behind the cushions' noses."""
 
-    width: float = knob(0.14, 0.02, 0.5, "m", "width of the rails, from the cushion's nose to their outer edge")
+    width: float = knob(0.14, 0.1, 0.5, "m", "width of the rails, from the cushion's nose to their outer edge")
     height: float = knob(0.0, 0.0, 0.05, "m", "height of the rails' top above the cushion's nose")
     restitution: float = knob(0.5, 0.0, 0.95, "", "speed a ball keeps that comes down on a rail's top")
 

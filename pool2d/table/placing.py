@@ -94,7 +94,7 @@ def settle(table: PlacingTable, layout: Layout) -> Layout:
     given = sorted(layout.on_table())
     if len(given) > MOST_BALLS:
         raise InputError(table.source, "balls", len(given), f"allowed are up to {MOST_BALLS} balls")
-    if _plain(table, given):
+    if table.knobs.rail.height == 0.0 and _plain(table, given):
         return layout
     # Ball by ball, for what is to be told, or to be set apart.
     given = _check_aloft(table, given)
@@ -167,6 +167,11 @@ def _check_numbers(table: PlacingTable, ball: Ball) -> None:
     radius, nose = table.body_of(ball)[0], table.knobs.cushion.nose_height
     if nose >= 2.0 * radius:
         allowed = f"a ball must be higher than the cushion's nose, {nose:g} m"
+        raise InputError(source, f"balls.{ball.id}.radius", radius, allowed)
+    if radius > nose and table.knobs.rail.height > 0.0:
+        allowed = (
+            f"its centre is above the cushion's nose, {nose:g} m: then the rail's top must be level, rail.height = 0"
+        )
         raise InputError(source, f"balls.{ball.id}.radius", radius, allowed)
 
 

@@ -30,7 +30,7 @@ ALLOWED: dict[str, tuple[float, float]] = {
     "cushion.restitution": (0, 1), "cushion.tangential": (0, 1), "cushion.friction": (0, 1),
     "cushion.nose_height": (0.01, 0.1),
     "facing.restitution": (0, 1), "facing.tangential": (0, 1), "facing.friction": (0, 5),
-    "rail.width": (0.02, 0.5), "rail.height": (0, 0.05), "rail.restitution": (0, 0.95),
+    "rail.width": (0.1, 0.5), "rail.height": (0, 0.05), "rail.restitution": (0, 0.95),
     "pocket.restitution": (0, 0.95), "pocket.friction": (0, 1),
     "cue.mass": (0.1, 2), "cue.end_mass": (0, 0.1), "cue.tip_restitution": (0, 1), "cue.tip_friction": (0.05, 10),
     "jump_cue.mass": (0.1, 2), "jump_cue.tip_restitution": (0, 1),

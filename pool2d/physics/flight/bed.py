@@ -136,12 +136,12 @@ class Bed:
     def room(self, x: float, y: float, z: float, radius: float) -> tuple[float, str]:
         """How far a ball off the cloth is from the nearest thing about the bed, m, and what that is."""
         ground = self.ground
-        if ground.is_beyond(x, y):
+        if ground.is_beyond(x, y) and ground.hole(x, y) is None:
             return -INF, "nothing: it is off the table"
         least, found = INF, ""
-        if ground.on_rail(x, y):
+        if z >= 0.0 and ground.on_rail(x, y):
             least, found = z - ground.high, f"the {ground.beside(x, y)} rail"
-        elif ground.hole(x, y) is None:
+        elif z >= 0.0 and ground.hole(x, y) is None:
             least, found = z, "the bed"
         for solid in self.solids:
             gap = solid.gap(x, y, z + radius, radius)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Final, final
+from typing import final
 
 from ..detect import Pocket, time_to_circle
 from ..motion import Motion
@@ -11,10 +11,6 @@ from ..roots import INF
 from ..values import AIRBORNE, EventKind
 from .impact import GENTLE, Surface, Vector
 from .solids import Solid, first_touch
-
-# A ball that touches a facing, which stands over the slate, comes past its end by up to so much, m, nearer to the back
-# of its pocket than it may touch that; the back gives way.
-OVERHANG: Final = 2e-3
 
 
 class Hole(Solid):
@@ -58,6 +54,8 @@ class Hole(Solid):
         distance = math.hypot(px, py)
         u = max(0.0, self.radius - distance)
         size = math.hypot(u, w)
+        if size == 0.0:
+            u = size = 1.0
         flat = u / (distance * size) if distance > 0.0 else 0.0
         return flat * px, flat * py, -w / size
 
@@ -102,10 +100,11 @@ class Back(Hole):
 
     def gap(self, x: float, y: float, centre: float, radius: float) -> float:
         distance = math.hypot(x - self.x, y - self.y)
-        # A ball that sinks beside the back may come round to it a little too near: there it is leather, and a net.
-        if distance >= self.radius or self.inward(x, y) > 0.0 or centre < radius:
+        # Beside its upright face a facing, which stands over the slate, lets a ball come past a little nearer than it
+        # may touch: there it is leather, and gives way.
+        if distance >= self.radius or self.inward(x, y) > 0.0 or centre < self.high:
             return INF
-        return math.hypot(self.radius + OVERHANG - distance, max(0.0, centre - self.high)) - radius
+        return math.hypot(self.radius - distance, centre - self.high) - radius
 
 
 @final

@@ -105,6 +105,8 @@ class StraightNose(Solid):
         c = self.dx * (y - self.ay) - self.dy * (x - self.ax)
         w = _outside(centre, self.low, self.high)
         size = math.sqrt(c * c + w * w)
+        if size == 0.0:
+            c = size = 1.0
         return self.dy * c / size, -self.dx * c / size, -w / size
 
     def gap(self, x: float, y: float, centre: float, radius: float) -> float:
@@ -139,7 +141,9 @@ class RoundNose(Solid):
         distance = math.hypot(px, py)
         u, w = max(0.0, distance - self.radius), _outside(centre, self.low, self.high)
         size = math.hypot(u, w)
-        flat = u / (distance * size) if u > 0.0 else 0.0
+        if size == 0.0:
+            u = size = 1.0
+        flat = u / (distance * size) if u > 0.0 and distance > 0.0 else 0.0
         return flat * px, flat * py, -w / size
 
     def gap(self, x: float, y: float, centre: float, radius: float) -> float:

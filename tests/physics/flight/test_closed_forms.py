@@ -75,7 +75,8 @@ def test_two_balls_in_the_air_meet_as_on_the_level(cut: float) -> None:
     roll = simulate(TABLE, Layout([Ball("a", 0.5, 0.6, vx=speed, z=z), Ball("b", 0.5 + gap, 0.6, z=z + offset)]))
     event = roll.events[0]
     way = gap - math.sqrt(4.0 * R * R - offset * offset)
-    assert (event.kind, event.t) == ("ball_ball", near(way / speed, abs=1e-9))
+    assert event.kind == "ball_ball"
+    assert event.t == near(way / speed, abs=1e-9)
     a, b = event.before["a"], event.before["b"]
     n = (math.sqrt(1.0 - cut * cut), cut)
     assert (b.x - a.x, b.z - a.z) == near((2.0 * R * n[0], offset), abs=1e-10)
