@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .physics.values import Ball, Layout, Shot
     from .study.simulate_many import simulate_many
     from .study.summaries import Summaries
+    from .table.clearance import Clearance, least_elevation
     from .table.preset import load_table
     from .table.scenario import Scenario, load_scenario
     from .table.table import Table
@@ -31,6 +32,7 @@ else:
             "physics.values": ("Ball", "Layout", "Shot"),
             "study.simulate_many": ("simulate_many",),
             "study.summaries": ("Summaries",),
+            "table.clearance": ("Clearance", "least_elevation"),
             "table.preset": ("load_table",),
             "table.scenario": ("Scenario", "load_scenario"),
             "table.table": ("Table",),
@@ -40,6 +42,7 @@ else:
 __all__ = [
     "Ball",
     "BudgetError",
+    "Clearance",
     "Event",
     "InputError",
     "Layout",
@@ -50,6 +53,7 @@ __all__ = [
     "Table",
     "WorkerError",
     "__version__",
+    "least_elevation",
     "load_scenario",
     "load_table",
     "simulate",

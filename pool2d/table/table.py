@@ -29,6 +29,7 @@ from .furniture import Furniture, Rack, arrange
 from .geometry import build
 from .outline import edges, scaled, widened
 from .placing import settle
+from .rail_tops import RailTops
 from .table_knobs import Knobs
 
 
@@ -112,6 +113,12 @@ class Table:
             if element.kind == "ball_cushion":
                 named.setdefault(element.name, []).append(element)
         return named
+
+    @cached_property
+    def rail_tops(self) -> RailTops:
+        """The rails' tops, as a cue meets them that lies across them."""
+        rail = self.knobs.rail
+        return RailTops(self.geometry, self.knobs.cushion.nose_height + rail.height, rail.width)
 
     def with_knobs(self, overrides: Mapping[str, Any]) -> Table:
         """A copy with dotted knobs set on top of what was set before; raises InputError."""
