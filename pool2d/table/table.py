@@ -263,7 +263,8 @@ class Table:
             if other.id != ignore:
                 still = Motion(Body(other.still(), 0, *self.body_of(other)), RESTING, 0.0, end)
                 hits.append((time_ball_ball(way, still, 0.0, end, self.touch(ball, other)), other.id))
-        return min(hits, key=lambda hit: hit[0], default=(math.inf, None))
+        met = [hit for hit in hits if hit[0] < math.inf]
+        return min(met, key=lambda hit: hit[0], default=(math.inf, None))
 
 
 _ALL = pymunk.ShapeFilter()
