@@ -104,7 +104,7 @@ def freeze(table: Table, ball: Ball, layout: Layout, rng: random.Random) -> Ball
     """The ball sent on until it touches something, unless that is a pocket."""
     way = math.radians(toward(ball, layout, rng))
     dx, dy = math.cos(way), math.sin(way)
-    distance, what = table.cast(ball.x, ball.y, dx, dy, layout, table.body_of(ball)[0], ball.id)
+    distance, what = table.cast(ball.x, ball.y, dx, dy, layout, ball.radius, ball.id)
     if what is None or any(pocket.name == what for pocket in table.geometry.pockets):
         return ball
     return ball._replace(x=ball.x + dx * distance, y=ball.y + dy * distance)

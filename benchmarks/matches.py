@@ -1,6 +1,6 @@
 """Random matches through the engine and the rules: `python -m benchmarks.matches --games all --matches 200`.
 
-A player who aims at a ball and a pocket with an unsteady hand, and sometimes anywhere, plays each game. A
+A player who aims at a ball and a pocket with an unsteady hand, and sometimes anywhere or to jump, plays each game. A
 match has to end with a winner or, where it is given up after many strokes, in a legal state: the balls stand
 where they may, the balls on are on the table, what is asked can be answered, the state comes back from JSON.
 Prints a line per game; the exit status is 1 where a match failed.
@@ -26,7 +26,7 @@ from pool2d.game.referee import observe
 from pool2d.game.rules import AIM, CHOOSE, GAMES, OVER, PLACE, Choice, Rules, Ruling, game, games_for, label, say
 from pool2d.game.rules.report import Call
 from pool2d.game.rules.spotting import may_place
-from pool2d.physics.values import POCKETED, Ball, Layout
+from pool2d.physics.values import GONE, Ball, Layout
 
 TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft", "pyramid-12ft")
 # Games to a score are played to less, so that they end.
@@ -38,6 +38,8 @@ SHORT = {
 }
 # After so many strokes a match is given up.
 STROKES = 300
+# How many of the strokes are played with a raised butt.
+RAISED = 0.15
 # Practice never ends.
 PRACTICE = "practice"
 LIMITS = {PRACTICE: 50}
@@ -126,6 +128,10 @@ def stroke(table: Table, ruling: Ruling, rng: random.Random) -> tuple[Shot, Call
     for said in ask.may:
         if rng.random() < 0.2:
             call = Call(safety=said == "safety", push=said == "push")
+    if rng.random() < RAISED:
+        # Balls jump, and some leave the table.
+        tip, butt = rng.uniform(-0.7, 0.3), rng.uniform(5.0, 50.0)
+        return Shot(angle, rng.uniform(2.0, 9.0), height=tip, elevation=butt, ball=struck), call
     return Shot(angle=angle, speed=speed, ball=struck), call
 
 
@@ -153,9 +159,9 @@ def faults(rules: Rules[Any], ruling: Ruling) -> Iterator[str]:
     rules.table.settle(layout)
     if rules.state(json.loads(json.dumps(state.as_dict()))) != state:
         yield "the state does not come back from JSON"
-    if ask.kind == AIM and layout[ask.ball].phase == POCKETED:
+    if ask.kind == AIM and layout[ask.ball].phase in GONE:
         yield "the cue ball is not on the table"
-    if any(layout[ball].phase == POCKETED for ball in ask.on):
+    if any(layout[ball].phase in GONE for ball in ask.on):
         yield f"a ball on is off the table: {ask.on}"
     if ask.kind == AIM and not ask.on and len(layout.on_table()) > 1:
         yield "no ball is on"

@@ -13,7 +13,7 @@ from typing import Any
 from ..errors import InputError, suggest
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
-from ..physics.values import Layout
+from ..physics.values import OFF, Layout
 from ..table.table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
 from .referee import observe
@@ -218,7 +218,7 @@ class Match:
         _check_call(stroke.call, ask, self.table)
         rollout = simulate(self.table, now.layout, stroke.shot)
         report = observe(self.table, rollout, stroke.call, stroke.shot.ball)
-        ruling = self._judge.judge(now.state, rollout.layout(), report)
+        ruling = self._judge.judge(now.state, _after(rollout), report)
         if lagged(now.state):
             return Moment(ruling, now.tallies, now.breaker, now.frame, ask.player, stroke, rollout)
         tallies = after_stroke(now.tallies, ask.player, now.shooter == ask.player, self.rules, ruling, report)
@@ -270,6 +270,12 @@ class Match:
     def _seed(self, frame: int) -> int:
         """The seed of a frame's racks."""
         return self.setup.seed + 1_000_000 * frame
+
+
+def _after(rollout: Rollout) -> Layout:
+    """The layout after a stroke. How high a ball was when it left the table is no part of where a match stands."""
+    layout = rollout.layout()
+    return layout.put(*(ball.still()._replace(phase=OFF) for ball in layout.values() if ball.phase == OFF))
 
 
 def lagged(state: State) -> bool:

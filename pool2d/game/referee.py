@@ -1,9 +1,7 @@
 """The referee: makes a `Report` of a rollout, of what somebody who watches the shot would notice.
 
-What the engine cannot show, no report tells: a tip that strikes the cue ball twice or pushes it (the cue is gone
-once it has struck; only a ball that is met while a tip would still be on the cue ball is seen), a ball moved by
-hand, cloth or sleeve, feet, turns and time. Balls stay on the bed, so none jumps off it yet; a report can say so
-all the same.
+What the engine cannot show, no report tells: a ball moved by hand, cloth or sleeve, feet, turns and time. That the tip
+is still on the cue ball when that meets a ball is told by how soon it does; a stroke is one moment to the engine.
 """
 
 from __future__ import annotations
@@ -17,11 +15,14 @@ from ..physics.rollout import Rollout
 from ..physics.values import MISCUE, Ball
 from ..table.arrivals import FROZEN, Arrivals, pieces
 from ..table.table import Table
+from .jumps import jumps, scooped
 from .rules.corners import corner_of, lines
-from .rules.report import BALL, POCKET, RAIL, Call, Contact, Report, StrokeFault
+from .rules.report import BALL, OFF, POCKET, RAIL, TOP, Call, Contact, Report, StrokeFault
 
 # How long a tip stays on the cue ball, s: high-speed films show about a millisecond.
 TIP_TIME = 1e-3
+# What rests moves slower than this, m/s.
+_RESTS = 1e-6
 # A ball hit thinner than half full is grazed: the cosine between the cue ball's way and the line of centres.
 GRAZED = math.cos(math.radians(30.0))
 
@@ -60,13 +61,15 @@ class _Reader:
     def report(self, call: Call) -> Report:
         contacts: list[Contact] = []
         first: tuple[str, ...] = ()
-        when = math.inf
+        meeting: Event | None = None
         for event in self.rollout.events:
             met = list(self.contacts(event))
             hit = [c.other for c in met if c.kind == BALL and c.ball == self.cue]
             if hit and not first:
-                first, when = tuple(ball for ball in hit if ball == hit[0] or self.meets(event, ball)), event.t
+                first, meeting = tuple(ball for ball in hit if ball == hit[0] or self.meets(event, ball)), event
             contacts += met
+        when = math.inf if meeting is None else meeting.t
+        jumped = jumps(self.table, self.rollout, self.cue, meeting, first)
         touching = tuple(
             ball.id for ball in self.start.on_table() if ball.id != self.cue and self.gap(ball) <= FROZEN
         )  # fmt: skip
@@ -79,6 +82,8 @@ class _Reader:
             pressed=tuple(ball for ball in touching if ball in first and when <= TIP_TIME),
             frozen=self.frozen_at_start,
             stroke=tuple(self.stroke(first, touching, when)),
+            **jumped._asdict(),
+            on_rail=tuple(self.on_rail()),
             kitchen=self.kitchen(first, when),
             stayed=self.stayed(),
             crossed=self.over(self.line),
@@ -94,11 +99,25 @@ class _Reader:
         """What an event says of who met what."""
         for a, b in event.pairs:
             yield Contact(BALL, b, a) if b == self.cue else Contact(BALL, a, b)
+        if event.kind == "ball_slate":
+            if event.where:
+                yield Contact(TOP, event.balls[0], event.where)
+            return
         for ball, cushion in event.rails:
             if self.arrivals.arrives(ball, cushion, event.t):
                 yield Contact(RAIL, ball, cushion)
         if event.kind == "ball_pocket":
             yield Contact(POCKET, event.balls[0], event.where or "")
+        elif event.kind == "ball_off":
+            yield Contact(OFF, event.balls[0], event.where or "")
+
+    def on_rail(self) -> Iterator[str]:
+        """The balls that came to rest on a rail's top: the others were on their way when they left the table."""
+        for event in self.rollout.events:
+            if event.kind == "ball_off":
+                ball = event.before[event.balls[0]]
+                if math.hypot(ball.vx, ball.vy, ball.vz) < _RESTS:
+                    yield ball.id
 
     def frozen(self) -> Iterator[tuple[str, str]]:
         """The balls that lay on a cushion, and which."""
@@ -118,14 +137,22 @@ class _Reader:
     def meets(self, event: Event, ball: str) -> bool:
         """Whether the cue ball touches a ball at the very moment of an event."""
         a, b = event.before[self.cue], event.before[ball]
-        touch = self.table.touch(self.start[self.cue], self.start[ball])
-        return math.hypot(a.x - b.x, a.y - b.y) - touch <= FROZEN
+        radius, its_own = (self.table.body_of(self.start[one])[0] for one in (self.cue, ball))
+        return math.hypot(a.x - b.x, a.y - b.y, a.z + radius - b.z - its_own) - radius - its_own <= FROZEN
 
     def stroke(self, first: Iterable[str], touching: tuple[str, ...], when: float) -> Iterator[StrokeFault]:
         """What was wrong with the stroke, as far as it can be seen."""
-        if any(event.kind == "cue_ball" and event.where == MISCUE for event in self.rollout.events):
+        hits = [event for event in self.rollout.events if event.kind == "cue_ball"]
+        if any(event.where == MISCUE for event in hits):
             yield "miscue"
-        if when <= TIP_TIME and any(ball not in touching and self.full(ball, when) for ball in first):
+        if scooped(self.rollout, self.cue):
+            yield "scoop"
+        if any(last.t - hit.t <= TIP_TIME for hit, last in zip(hits, hits[2:], strict=False)):
+            # Three in such a time: the tip has stayed with the ball.
+            yield "push"
+        elif len(hits) > 1:
+            yield "second-hit"
+        elif when <= TIP_TIME and any(ball not in touching and self.full(ball, when) for ball in first):
             yield "double-hit"
 
     def full(self, ball: str, when: float) -> bool:

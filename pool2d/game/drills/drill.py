@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ...physics.rollout import Rollout
 from ...physics.values import GONE, Layout, Shot
-from ...table.flights import jumped
 from ...table.table import Table
 from ..referee import observe
-from ..rules.report import BALL, POCKET, RAIL, Report
+from ..rules.report import BALL, POCKET, RAIL, TOP, Report
 from ..rules.spotting import near_spot, put
 
 ANY = "any"
@@ -153,8 +152,7 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
     """What a stroke makes of an attempt: one step further, or over."""
     step = drill.steps[standing.done]
     report, layout = observe(drill.table, rollout), rollout.layout()
-    over = [one.ball for one in jumped(rollout, drill.table, report.cue)] if step.over else []
-    missed = faults(drill.table, step, report, layout, over)
+    missed = faults(drill.table, step, report, layout)
     if missed:
         return Standing(layout, standing.done, missed, over=True)
     done = standing.done + 1
@@ -166,24 +164,21 @@ def judge(drill: Drill, standing: Standing, rollout: Rollout) -> Standing:
     return Standing(layout if after is None else after, done)
 
 
-def faults(table: Table, step: Step, report: Report, layout: Layout, over: Collection[str] = ()) -> str:
-    """What a stroke failed to do of a step: one of MISSES; "" where it did all.
-
-    `over` are the balls that the cue ball has jumped before it met one.
-    """
+def faults(table: Table, step: Step, report: Report, layout: Layout) -> str:
+    """What a stroke failed to do of a step: one of MISSES; "" where it did all."""
     fell = [pot.ball for pot in report.pots if _fits(table, pot.ball, step.pot) and step.pocket in ("", pot.pocket)]
     struck = [c.other for c in report.of(report.cue) if c.kind == BALL]
     checks = {
-        "cue_fell": not report.cue_gone and layout[report.cue].phase not in GONE,
+        "cue_fell": not report.cue_gone,
         "wrong_first": not step.first or any(_fits(table, b, step.first) for b in report.first),
         "not_potted": not step.pot or len(fell) >= step.least,
         "few_banks": not step.banks or _banks(report, fell[:1]) >= step.banks,
         "not_all_hit": all(any(_fits(table, b, wanted) for b in struck) for wanted in step.hits),
         "few_rails": _rails(table, report, step.hits) >= step.rails,
-        "cushion_met": not step.clear or all(c.kind != RAIL for c in report.of(report.cue)),
+        "cushion_met": not step.clear or all(c.kind not in (RAIL, TOP) for c in report.of(report.cue)),
         "wrong_way": set(step.via) <= {c.other for c in report.of(report.cue)},
         "few_driven": len(report.driven) >= step.driven,
-        "not_jumped": set(step.over) <= set(over),
+        "not_jumped": set(step.over) <= set(report.over),
         "wrong_rest": all(rest.holds(layout) for rest in step.rest),
     }
     return next((miss for miss, good in checks.items() if not good), "")
@@ -213,7 +208,7 @@ def _banks(report: Report, fell: list[str]) -> int:
         return 0
     contacts = report.of(fell[0])
     end = next(i for i, contact in enumerate(contacts) if contact.kind == POCKET)
-    return sum(c.kind == RAIL and not c.other.endswith(" jaw") for c in contacts[:end])
+    return sum(c.kind == RAIL and not c.other.endswith((" jaw", " back")) for c in contacts[:end])
 
 
 def _spotted(table: Table, layout: Layout, balls: tuple[str, ...]) -> Layout:

@@ -32,6 +32,7 @@ ENGINE = (
 # What a shot means.
 RULES = (
     "table/arrivals.py",
+    "table/flights.py",
     "game/rules",
     "game/rules/pool",
     "game/rules/snooker",
@@ -39,6 +40,7 @@ RULES = (
     "game/match.py",
     "game/tally.py",
     "game/referee.py",
+    "game/jumps.py",
 )
 _SIZE = 16
 # How many numbers each function of the probe is tried with.

@@ -16,19 +16,22 @@ from ...physics.body import Body
 from ...physics.event import Event
 from ...physics.motion import Motion
 from ...physics.rollout import Rollout
-from ...physics.values import POCKETED, RESTING, Ball, Layout
+from ...physics.values import GONE, OFF, RESTING, Ball, EventKind, Layout
 from ...table.position_text import read, write
 from ...table.table import Table
 from ..actions import Stroke
 from ..match import Match, Moment, lagged
 from ..rules import AIM, CHOOSE, OVER, PLACE, Note, Ruling, State
+from ..rules import report as reports
 from ..rules.notes import ENGLISH
-from ..rules.report import POCKET, Contact, Report
+from ..rules.report import Contact, ContactKind, Report
 from ..rules.ruling import WRITTEN
 from ..tally import Tally
 
 # The keys of a line that tell the moment; one that has the first has them all.
 BALLS, GAME, TALLIES, TURN = "balls", "game", "tallies", "turn"
+# The keys of what is told of balls that went, each with the pocket or the cushion, and which contact that was.
+_WENT: dict[str, ContactKind] = {"fell": reports.POCKET, "off": reports.OFF}
 # How long a shot that is not played again is seen before it is over, s.
 SEEN = 1.0
 _SCORES = 1_000_000_000
@@ -36,8 +39,8 @@ _SCORES = 1_000_000_000
 
 def as_dict(moment: Moment) -> dict[str, Any]:
     """A moment as a record's line holds it, in JSON's types; `moment_of` reads it."""
-    ruling, report = moment.ruling, moment.report
-    fell = [[c.ball, c.other] for c in report.contacts if c.kind == POCKET] if report is not None else []
+    ruling, contacts = moment.ruling, () if moment.report is None else moment.report.contacts
+    went = {key: [[c.ball, c.other] for c in contacts if c.kind == kind] for key, kind in _WENT.items()}
     return {
         BALLS: write(moment.layout),
         GAME: moment.state.as_dict(),
@@ -48,7 +51,7 @@ def as_dict(moment: Moment) -> dict[str, Any]:
         "points": list(ruling.points),
         TURN: [moment.breaker, moment.frame, moment.shooter],
         **({"lag": True} if lagged(moment.state) else {}),
-        **({"fell": fell} if fell else {}),
+        **{key: balls for key, balls in went.items() if balls},
     }
 
 
@@ -95,21 +98,23 @@ def unplayed(
     before: Moment, after: Moment, stroke: Stroke, data: Mapping[str, Any], table: Table, source: str
 ) -> Moment:
     """The moment `after` a stroke that nobody can play again: its shot shows the balls before it, then after it."""
-    fell = []
-    for pair in _list(data, "fell", source):
-        if not isinstance(pair, list) or len(pair) != 2 or pair[0] not in before.layout or not isinstance(pair[1], str):
-            raise InputError(source, "fell", pair, "allowed are a ball and its pocket")
-        fell.append(Contact(POCKET, pair[0], pair[1]))
-    rollout = _jump(before.layout, after.layout, fell, table)
+    went = []
+    for key, kind in _WENT.items():
+        for pair in _list(data, key, source):
+            whole = isinstance(pair, list) and len(pair) == 2 and isinstance(pair[1], str)
+            if not whole or pair[0] not in before.layout:
+                raise InputError(source, key, pair, "allowed are a ball and its pocket, or the cushion it went over")
+            went.append(Contact(kind, pair[0], pair[1]))
+    rollout = _jump(before.layout, after.layout, went, table)
     if lagged(before.state):
         return replace(after, action=stroke, rollout=rollout)
-    report = Report(tuple(fell), stroke.call, stroke.shot.ball, start=before.layout)
+    report = Report(tuple(went), stroke.call, stroke.shot.ball, start=before.layout)
     return replace(after, action=stroke, rollout=rollout, report=report)
 
 
-def _jump(start: Layout, end: Layout, fell: list[Contact], table: Table) -> Rollout:
+def _jump(start: Layout, end: Layout, went: list[Contact], table: Table) -> Rollout:
     """A shot of which only the beginning and the end are known: the balls lie as before it, then as after it."""
-    where = {contact.ball: contact.other for contact in fell}
+    where = {contact.ball: contact.other for contact in went}
     order = [*where, *(ball for ball in start if ball not in where)]
     tracks: dict[str, list[Motion]] = {}
     events = []
@@ -119,10 +124,11 @@ def _jump(start: Layout, end: Layout, fell: list[Contact], table: Table) -> Roll
         old = Motion(_body(start[ball], table), start[ball].phase, 0.0, SEEN)
         new = Motion(_body(end[ball], table), end[ball].phase, SEEN, float("inf"))
         tracks[ball] = [old, new]
-        if end[ball].phase == POCKETED and start[ball].phase != POCKETED:
-            # It is seen to fall from where it fell, not from where it lay.
-            rim = Motion(_body(end[ball], table), RESTING, SEEN, SEEN)
-            events.append(Event(SEEN, "ball_pocket", where.get(ball), [rim], [new]))
+        if end[ball].phase in GONE and start[ball].phase not in GONE:
+            # It is seen to go from where it went, not from where it lay.
+            last = Motion(_body(end[ball], table), RESTING, SEEN, SEEN)
+            kind: EventKind = "ball_off" if end[ball].phase == OFF else "ball_pocket"
+            events.append(Event(SEEN, kind, where.get(ball), [last], [new]))
         else:
             events.append(Event(SEEN, "rolling_resting", None, [old], [new]))
     return Rollout(start, tracks, events, truncated=False)

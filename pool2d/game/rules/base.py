@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Generic, TypeVar, Unpack
 
 from ...config.knobs import apply, walk
 from ...errors import InputError
-from ...physics.values import POCKETED, Layout
+from ...physics.values import GONE, Layout
 from ...table.furniture import Rack
 from ...table.furniture_file import read_rack
 from ...table.table import Table
@@ -172,8 +172,8 @@ class Rules(Generic[S]):
         It has to be placed first where it is off the table or outside the area.
         """
         cue = layout[self.cue_of(player)]
-        down = cue.phase != POCKETED and within(self.table, where, cue.x, cue.y)
-        return replace(state, turn=player, ask=Ask(AIM if down or not where else PLACE, player, cue.id, where, **more))
+        lies = cue.phase not in GONE and within(self.table, where, cue.x, cue.y)
+        return replace(state, turn=player, ask=Ask(AIM if lies or not where else PLACE, player, cue.id, where, **more))
 
     def to_choose(self, state: S, player: int, *options: str) -> S:
         """The state in which a player has to choose."""

@@ -14,7 +14,7 @@ from ...physics.values import POCKETED, Ball, Layout
 from ...table.table import Table
 from .base import Rules
 from .notes import Note
-from .report import BALL, OFF, POCKET, RAIL, Report
+from .report import BALL, OFF, POCKET, RAIL, TOP, Report
 from .ruling import Ruling, State
 
 HEAD, FOOT = "left", "right"
@@ -103,7 +103,8 @@ class Lag(Rules[LagState]):
         rails = [contact.other for contact in report.of(report.cue) if contact.kind == RAIL]
         if POCKET in kinds or OFF in kinds:
             yield Note("lag.lost")
-        if set(rails) - {HEAD, FOOT}:
+        tops = [contact.other for contact in report.of(report.cue) if contact.kind == TOP]
+        if {*rails, *tops} - {HEAD, FOOT}:
             yield Note("lag.side")
         if report.astray or BALL in kinds:
             yield Note("lag.astray")

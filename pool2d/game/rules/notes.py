@@ -7,20 +7,27 @@ whoever shows it, and so are other words and names of balls where it is shown in
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 ENGLISH: dict[str, str] = {
     # Fouls.
     "foul.scratch": "the cue ball was pocketed",
     "foul.cue-off": "the cue ball left the table",
+    "foul.cue-over": "the cue ball left the table over the {where} cushion",
+    "foul.cue-on-rail": "the cue ball came to rest on the {where} rail",
     "foul.off": "the {ball} left the table",
+    "foul.over": "the {ball} left the table over the {where} cushion",
+    "foul.on-rail": "the {ball} came to rest on the {where} rail",
+    "foul.jump": "the cue ball jumped over the {ball}",
     "foul.no-hit": "the cue ball hit no ball",
     "foul.wrong-ball": "the {ball} was hit first, and it was not on",
     "foul.no-rail": "no ball was driven to a cushion after the hit",
     "foul.kitchen": "the ball hit first was behind the head string",
     "foul.stayed": "the cue ball did not leave the kitchen",
     "foul.double-hit": "the tip was still on the cue ball when it met the {ball}",
+    "foul.second-hit": "the tip struck the cue ball twice",
+    "foul.scoop": "the tip dug under the cue ball and lifted it",
     "foul.push": "push stroke",
     "foul.break": "the break was not legal",
     "foul.three": "third foul in a row",
@@ -118,20 +125,21 @@ ENGLISH: dict[str, str] = {
 class Note:
     """Something to say: a key of the words, and what fills the gaps.
 
-    `player` is a player's number, -1 where none is meant.
+    `player` is a player's number, -1 where none is meant; `where` the name of a cushion.
     """
 
     key: str
     player: int = -1
     ball: str = ""
     points: int = 0
+    where: str = ""
 
     @property
     def text(self) -> str:
         return say(self)
 
     def as_dict(self) -> dict[str, Any]:
-        return {"key": self.key, "player": self.player, "ball": self.ball, "points": self.points}
+        return asdict(self)
 
 
 def ball_name(ball: str) -> str:
@@ -142,15 +150,22 @@ def ball_name(ball: str) -> str:
     return "white" if ball == "cue" else ball.rstrip("0123456789")
 
 
+def place_name(name: str) -> str:
+    """What a cushion is called."""
+    return name.replace("-", " ")
+
+
 def say(
     note: Note,
     names: Sequence[str] = ("Player 1", "Player 2"),
     words: Mapping[str, str] = ENGLISH,
     name_ball: Callable[[str], str] = ball_name,
+    name_place: Callable[[str], str] = place_name,
 ) -> str:
-    """A note as a sentence; `name_ball` says what a ball is called."""
+    """A note as a sentence; `name_ball` says what a ball is called, `name_place` what a cushion is."""
     player = names[note.player] if 0 <= note.player < len(names) else ""
-    text = words[note.key].format(player=player, ball=name_ball(note.ball), points=note.points)
+    where = name_place(note.where)
+    text = words[note.key].format(player=player, ball=name_ball(note.ball), points=note.points, where=where)
     return text[:1].upper() + text[1:] + "."
 
 

@@ -7,19 +7,24 @@ from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from ...physics.values import Layout
 
-ContactKind: TypeAlias = Literal["ball", "rail", "pocket", "off"]
+ContactKind: TypeAlias = Literal["ball", "rail", "top", "pocket", "off"]
 BALL: Final = "ball"
 RAIL: Final = "rail"
+TOP: Final = "top"
 POCKET: Final = "pocket"
 OFF: Final = "off"
-StrokeFault: TypeAlias = Literal["double-hit", "push", "miscue"]
+# "double-hit": the tip was still on the cue ball when that met a ball; "second-hit": it struck it again; "push": it
+# stayed with it; "scoop": it dug under it, and so lifted it.
+StrokeFault: TypeAlias = Literal["double-hit", "second-hit", "push", "miscue", "scoop"]
 
 
 class Contact(NamedTuple):
-    """A ball met something: another ball, a rail (cushion or jaw), a pocket it fell into; or it left the table.
+    """A ball met something: another ball, a rail, a pocket it fell into; or it left the table.
 
-    `other` is the other ball's id, or the name of the cushion or pocket. The struck ball is `ball` in
-    its contacts. A ball that is pressed against a rail it already lay on, or has not left, meets nothing.
+    A rail is a cushion, a jaw or the back of a pocket; its top, or a pocket's edge, on which a flying ball comes down
+    is a "top". `other` is the other ball's id, or the name of the cushion or pocket; of a ball that left the table,
+    the cushion it went over. The struck ball is `ball` in its contacts. A ball that is pressed against a rail it
+    already lay on, or has not left, meets nothing.
     """
 
     kind: ContactKind
@@ -60,7 +65,12 @@ class Report:
         touching: The balls that touched the cue ball before the shot.
         pressed: Those of them that the shot pushed at.
         frozen: Pairs of a ball and the cushion that it lay on before the shot.
-        stroke: What was wrong with the stroke itself: "double-hit", "push", "miscue".
+        stroke: What was wrong with the stroke itself.
+        airborne: Whether the cue ball was in the air when it met its first ball.
+        over: The object balls of which the cue ball passed over any part before it met its first ball.
+        over_later: Those of which it did so afterwards.
+        vaulted: The balls met first that it went over nonetheless: it came down beyond them before it met anything.
+        on_rail: Of the balls that left the table, those that came to rest on a rail's top.
         kitchen: Whether the cue ball met its first ball behind the head string without having crossed that.
         stayed: Whether the cue ball neither crossed the head string nor met a ball beyond it.
         crossed: The object balls that went over the head string, either way.
@@ -81,6 +91,11 @@ class Report:
     pressed: tuple[str, ...] = ()
     frozen: tuple[tuple[str, str], ...] = ()
     stroke: tuple[StrokeFault, ...] = ()
+    airborne: bool = False
+    over: tuple[str, ...] = ()
+    over_later: tuple[str, ...] = ()
+    vaulted: tuple[str, ...] = ()
+    on_rail: tuple[str, ...] = ()
     kitchen: bool = False
     stayed: bool = False
     crossed: tuple[str, ...] = ()
@@ -109,7 +124,12 @@ class Report:
     @property
     def off(self) -> tuple[str, ...]:
         """The object balls that left the table."""
-        return tuple(c.ball for c in self.contacts if c.kind == OFF and c.ball != self.cue)
+        return tuple(ball for ball in self.left if ball != self.cue)
+
+    @property
+    def left(self) -> dict[str, str]:
+        """The balls that left the table, the struck one too, in their order, and the cushion that each went over."""
+        return {c.ball: c.other for c in self.contacts if c.kind == OFF}
 
     @property
     def scratch(self) -> bool:
@@ -119,7 +139,7 @@ class Report:
     @property
     def cue_off(self) -> bool:
         """Whether the cue ball left the table."""
-        return any(c.kind == OFF and c.ball == self.cue for c in self.contacts)
+        return self.cue in self.left
 
     @property
     def cue_gone(self) -> bool:
@@ -149,9 +169,10 @@ class Report:
         return next((pot.ball for pot in self.pots if self.obvious(pot) and call.ball in ("", pot.ball)), "")
 
     def obvious(self, pot: Pot) -> bool:
-        """Whether a ball was met first and fell straight: no other ball, and no rail but the pocket's jaws."""
+        """Whether a ball was met first and fell straight: no other ball, and no rail but the pocket's own."""
         before = [c.kind for c in self.contacts[: len(self.contacts) - len(self.after)] if self.cue == c.ball]
-        own = [c for c in self.of(pot.ball) if c.other != f"{pot.pocket} jaw"]
+        parts = (f"{pot.pocket} jaw", f"{pot.pocket} back", pot.pocket)
+        own = [c for c in self.of(pot.ball) if c.kind not in (RAIL, TOP) or c.other not in parts]
         straight = [Contact(BALL, pot.ball, self.cue), Contact(POCKET, pot.ball, pot.pocket)]
         return before == [BALL] and own == straight
 

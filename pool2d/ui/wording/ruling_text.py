@@ -21,7 +21,7 @@ from .words import Words
 
 def note_text(words: Words, note: Note, names: Sequence[str]) -> str:
     """A note of a ruling as a sentence; `names` are the players'."""
-    return rules.say(note, names, _template(words, note.key), partial(ball, words))
+    return rules.say(note, names, _template(words, note.key), partial(ball, words), partial(place_name, words))
 
 
 def option(words: Words, key: str) -> str:

@@ -87,6 +87,7 @@ GIVEN: dict[str, Callable[[Given, list[str]], None]] = {
     "frozen": lambda given, words: given.report.update(touching=tuple(words), pressed=tuple(words)),
     "first-behind": lambda given, words: given.report.update(kitchen=True),
     "stayed": lambda given, words: given.report.update(stayed=True),
+    "over": lambda given, words: given.report.update(over=tuple(words)),
     "crossed": lambda given, words: given.report.update(crossed=tuple(words)),
 }
 

@@ -1,7 +1,7 @@
 """Rows of `tables/` for the games that are not pool: the situation is told by fields of the state and places of balls.
 
 The columns are those of `cases`. What may be given, with commas: "balls red1 pink", those on the table; "at cue 1.5
-0.9", where one lies, in m; "where d"; "option miss always"; "touching", "pressed", "stroke", "jammed" and "strayed" as
+0.9", where one lies, in m; "where d"; "option miss always"; "touching", "stroke", "over" and others of SEEN as
 in a report; and any field of the game's state, such as "phase color" or "scores 10 3". What changed of the fields that
 a test names stands at the end of the ruling, behind what was noted.
 """
@@ -19,7 +19,7 @@ from pool2d.game.rules.spotting import AREAS, Where, put
 from .cases import Case, line
 from .notation import after, only, report
 
-SEEN = ("touching", "pressed", "stroke", "jammed", "strayed", "passed", "cleared")
+SEEN = ("touching", "pressed", "stroke", "over", "over_later", "vaulted", "jammed", "strayed", "passed", "cleared")
 NOTED = (
     "miss",
     "warned",

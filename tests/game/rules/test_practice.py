@@ -22,7 +22,9 @@ RULES = Practice(TABLE)
         ("cue-1 1>", 1, ()),
         ("cue-1 1|", 0, ()),
         ("cue-1 cue>", 0, ()),
-        ("cue-1 1> 2^", 1, ("2",)),
+        ("cue-1 1> 2^right", 1, ("2",)),
+        ("cue-1 1> 2~right", 1, ("2",)),
+        ("cue-1 1> cue^left", 1, ()),
     ],
 )
 def test_a_stroke(said: str, points: int, back: tuple[str, ...]) -> None:
@@ -34,7 +36,7 @@ def test_a_stroke(said: str, points: int, back: tuple[str, ...]) -> None:
     assert not ruling.foul
     assert (ruling.state.shots, ruling.state.racks) == (1, 1)
     assert tuple(ball for ball, _ in ruling.spotted) == back
-    assert (ruling.ask.kind == "place") == ("cue>" in said) and ruling.ask.where == "anywhere"
+    assert (ruling.ask.kind == "place") == ("cue>" in said or "cue^" in said) and ruling.ask.where == "anywhere"
     twice = RULES.judge(ruling.state, ruling.layout, report("cue-3 3>"))
     assert (twice.state.scores, twice.state.shots, twice.points) == ((points + 1,), 2, (1,))
 

@@ -53,6 +53,10 @@ def test_german_says_every_note_otherwise(words: Words, key: str) -> None:
     ("note", "german"),
     [
         (Note("foul.off", ball="3"), "Kugel 3 hat den Tisch verlassen."),
+        (Note("foul.over", ball="3", where="top"), "Kugel 3 hat den Tisch über die Bande oben verlassen."),
+        (Note("foul.cue-over", where="top-left"), "Der Spielball hat den Tisch über die Bande oben links verlassen."),
+        (Note("foul.on-rail", ball="red2", where="left"), "Rot ist auf dem Rahmen liegen geblieben, links."),
+        (Note("foul.jump", ball="black"), "Der Spielball ist über Schwarz gesprungen."),
         (Note("foul.wrong-ball", ball="red7"), "Rot wurde zuerst getroffen und war nicht an der Reihe."),
         (Note("spotted", ball="cue"), "Weiß wird wieder aufgesetzt."),
         (Note("score", 1, points=1), "Punkte für Bob: 1."),

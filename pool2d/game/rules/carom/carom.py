@@ -10,9 +10,10 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from ....config.knobs import choice, knob
-from ....physics.values import POCKETED, Layout
+from ....physics.values import GONE, Layout
 from ....table.arrivals import FROZEN
 from ..base import YES_NO, Options, Rules
+from ..lost import balls_off, cue_ball_off
 from ..notes import Note
 from ..report import BALL, RAIL, Report
 from ..ruling import Ruling, State
@@ -127,7 +128,7 @@ class Carom(Rules[CaromState]):
     def goes_on(self, state: CaromState, layout: Layout, player: int) -> Ruling:
         """The ruling by which a player strikes next, after a point of theirs where there is a run."""
         notes = score_notes(points(player, 1)) if state.run else ()
-        lost = tuple(ball for ball in layout if layout[ball].phase == POCKETED)
+        lost = tuple(ball for ball in layout if layout[ball].phase in GONE)
         if lost:
             layout, spotted = self.spot(state, layout, player, lost)
             return self.ruled(self.aim(state, player), layout, *notes, spotted=spotted)
@@ -158,17 +159,16 @@ class Carom(Rules[CaromState]):
 
     def fouls_off(self, report: Report) -> Iterator[Note]:
         """The fouls by balls that left the table."""
-        if report.cue_off:
-            yield Note("foul.cue-off")
-        for ball in report.off:
-            yield Note("foul.off", ball=ball)
+        yield from cue_ball_off(report)
+        yield from balls_off(report)
 
     def fouls_pushed(self, report: Report) -> Iterator[Note]:
-        """The fouls of a tip that stays on the cue ball: a touching ball is pushed, or one is met too soon."""
+        """The fouls of a tip that stays on the cue ball, or strikes it twice: a touching ball is pushed."""
         for ball in report.pressed:
             yield Note("foul.push", ball=ball)
-        if "double-hit" in report.stroke and not report.pressed:
-            yield Note("foul.double-hit", ball=report.first[0] if report.first else "")
+        for fault in report.stroke:
+            if fault in ("double-hit", "second-hit", "push") and not report.pressed:
+                yield Note(f"foul.{fault}", ball=report.first[0] if report.first else "")
 
     def missed(self, report: Report) -> Note:
         """Why a stroke without foul was no point."""

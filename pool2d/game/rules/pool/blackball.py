@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from ....config.knobs import choice
-from ....physics.values import POCKETED, Layout
+from ....physics.values import GONE, Layout
 from ..base import YES_NO, Options
 from ..notes import Note
 from ..report import Report
@@ -95,6 +95,7 @@ class Blackball(EnglishPool[BlackballState]):
             yield from self._theirs(state, report)
         # 5.8
         yield from self.fouls_hit(report, self.on(state, report.start, state.ask.player))
+        yield from self.fouls_jumped(report)
         yield from self.fouls_pushed(report)
 
     def _theirs(self, state: BlackballState, report: Report) -> Iterator[Note]:
@@ -154,6 +155,6 @@ class Blackball(EnglishPool[BlackballState]):
         self, state: BlackballState, layout: Layout, player: int, *options: str, free: bool = False
     ) -> BlackballState:  # fmt: skip
         """The state in which a player shoots; with a free shot from baulk where the cue ball is off the table."""
-        gone = layout[self.table.furniture.cue].phase == POCKETED
+        gone = layout[self.table.furniture.cue].phase in GONE
         choices = (*(("baulk",) if free and not gone else ()), *options)
         return self.next(replace(state, free=free), layout, player, KITCHEN if gone else "", options=choices)

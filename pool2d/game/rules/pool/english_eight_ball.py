@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
-from ....physics.values import POCKETED, Layout
+from ....physics.values import GONE, POCKETED, Layout
 from ..notes import Note
 from ..report import Report
 from ..ruling import AIM, Ruling
@@ -93,7 +93,7 @@ class EnglishEightBall(EnglishPool[EnglishState]):
         return () if state.open and ruling.ask.kind == AIM else super().pots(player, report, ruling)
 
     def fouls(self, state: EnglishState, report: Report, on: tuple[str, ...], nominated: str) -> Iterator[Note]:
-        """K, N, R and S: the standard fouls, as far as they can be seen, and G: a shot that is not legal."""
+        """K, N, R and S: the standard fouls, a jump shot among them, and G: a shot that is not legal."""
         legal = (*on, nominated) if nominated else on
         yield from self.fouls_lost(report)
         theirs = () if state.open else self.balls_of(state.groups[self.other(state.ask.player)])
@@ -102,6 +102,7 @@ class EnglishEightBall(EnglishPool[EnglishState]):
                 yield Note("foul.potted", ball=ball)
         # G (1), R
         yield from self.fouls_hit(report, legal)
+        yield from self.fouls_jumped(report)
         yield from self.fouls_pushed(report)
 
     def snookered(self, report: Report, on: Collection[str]) -> bool:
@@ -166,7 +167,7 @@ class EnglishEightBall(EnglishPool[EnglishState]):
         nominate a ball that is not on.
         """
         on, cue = self.on(state, layout, player), layout[self.table.furniture.cue]
-        where: Where = KITCHEN if cue.phase == POCKETED else ""
+        where: Where = KITCHEN if cue.phase in GONE else ""
         # Q: a jaw snookers the cue ball that lies between it and its like.
         hidden = (
             vantage(self.table, layout, cue, on, where, between=True) is None

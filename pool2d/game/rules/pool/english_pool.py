@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from ....physics.values import POCKETED, Layout
+from ..lost import balls_off, cue_ball_off
 from ..notes import Note
 from ..report import BALL, Report
 from ..ruling import Ruling
@@ -47,16 +48,14 @@ class EnglishPool(PoolRules[S]):
 
     def to_baulk(self, layout: Layout) -> Layout:
         """The layout with the cue ball taken off the table, to be played from baulk."""
-        return layout.put(layout[self.table.furniture.cue]._replace(phase=POCKETED))
+        return layout.put(layout[self.table.furniture.cue].still()._replace(phase=POCKETED))
 
     def fouls_lost(self, report: Report) -> Iterator[Note]:
         """The fouls by balls that are gone: the cue ball from the table, others off it."""
         if report.scratch:
             yield Note("foul.scratch")
-        if report.cue_off:
-            yield Note("foul.cue-off")
-        for ball in report.off:
-            yield Note("foul.off", ball=ball)
+        yield from cue_ball_off(report)
+        yield from balls_off(report)
 
     def fouls_hit(self, report: Report, on: Collection[str]) -> Iterator[Note]:
         """The fouls by what was hit: a ball on first, and then a ball potted or any driven to a cushion.
@@ -73,9 +72,16 @@ class EnglishPool(PoolRules[S]):
             yield Note("foul.no-rail")
 
     def fouls_pushed(self, report: Report) -> Iterator[Note]:
-        """The foul of a tip that stays on the cue ball."""
+        """The foul of a tip that stays on the cue ball, or strikes it twice."""
         if report.pressed or any(fault in ("push", "double-hit") for fault in report.stroke):
             yield Note("foul.push")
+        elif "second-hit" in report.stroke:
+            yield Note("foul.second-hit")
+
+    def fouls_jumped(self, report: Report) -> Iterator[Note]:
+        """The foul of a cue ball that jumps over any part of a ball before it has met one."""
+        if report.over:
+            yield Note("foul.jump", ball=report.over[0])
 
     def _driven(self, report: Report, touched: bool) -> bool:
         """Whether a ball fell, left the table or met a cushion once a ball had been played."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from ..lost import balls_off, cue_ball_off
 from ..notes import Note
 from ..report import Report
 
@@ -16,21 +17,15 @@ def shared_fouls(report: Report, on: Collection[str], *, kitchen: bool = False, 
     """
     hit = () if push else (*_hit(report, on), *_rail(report))
     played = _from_kitchen(report) if kitchen else ()
-    return (*_cue_ball(report), *_balls_off(report), *hit, *played, *_stroke(report))
+    # 3.5: object balls that are driven off the table.
+    return (*_cue_ball(report), *balls_off(report), *hit, *played, *_stroke(report))
 
 
 def _cue_ball(report: Report) -> Iterator[Note]:
     """3.1: the cue ball is pocketed or driven off the table."""
     if report.scratch:
         yield Note("foul.scratch")
-    if report.cue_off:
-        yield Note("foul.cue-off")
-
-
-def _balls_off(report: Report) -> Iterator[Note]:
-    """3.5: an object ball is driven off the table."""
-    for ball in report.off:
-        yield Note("foul.off", ball=ball)
+    yield from cue_ball_off(report)
 
 
 def _hit(report: Report, on: Collection[str]) -> Iterator[Note]:
@@ -56,7 +51,11 @@ def _from_kitchen(report: Report) -> Iterator[Note]:
 
 
 def _stroke(report: Report) -> Iterator[Note]:
-    """3.7: double hit; 3.8: push shot. A miscue is no foul of its own."""
+    """3.7: double hit; 3.8: push shot; 3.16 (c), 2.11: a tip that digs under the cue ball and lifts it.
+
+    A miscue is no foul of its own, but one that is meant is, as that which makes the cue ball jump is taken to be:
+    nobody has to put the tip so low.
+    """
     for fault in report.stroke:
-        if fault in ("double-hit", "push"):
+        if fault != "miscue":
             yield Note(f"foul.{fault}", ball=report.first[0] if report.first else "")

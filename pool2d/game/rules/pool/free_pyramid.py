@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ....physics.values import POCKETED, Layout
+from ....physics.values import GONE, Layout
 from ..base import Rules
+from ..lost import ball_off
 from ..notes import Note
 from ..report import Report
 from ..ruling import AIM, Ask, Ruling, State
@@ -66,9 +67,8 @@ class FreePyramid(Rules[State]):
 
     def fouls(self, report: Report, breaks: bool) -> Iterator[Note]:
         """7, and the general rules: what ends a turn and gives the other player a point, as far as it can be seen."""
-        gone = (*report.off, *((report.cue,) if report.cue_off else ()))
-        for ball in gone:
-            yield Note("foul.off", ball=self.spoken(ball))
+        for ball in report.left:
+            yield ball_off(report, ball, self.spoken(ball))
         if not report.first:
             yield Note("foul.no-hit")
         elif breaks and not report.fallen and len({*report.passed, *report.driven} - {report.cue}) < BROKEN:
@@ -77,7 +77,7 @@ class FreePyramid(Rules[State]):
             # 5.6
             yield Note("foul.no-rail")
         for fault in report.stroke:
-            if fault in ("double-hit", "push"):
+            if fault in ("double-hit", "second-hit", "push"):
                 yield Note(f"foul.{fault}", ball=self.spoken(report.first[0]) if report.first else "")
 
     def _foul(
@@ -87,8 +87,7 @@ class FreePyramid(Rules[State]):
         opponent = self.other(state.ask.player)
         change = points(opponent, 1)
         state = added(state, change)
-        gone = (*report.fallen, *report.off, *((report.cue,) if report.cue_off else ()))
-        layout, spotted = self._spot(layout, gone)
+        layout, spotted = self._spot(layout, (*report.fallen, *report.left))
         if state.scores[opponent] >= TARGET:
             state = self.ended(state, opponent)
         elif breaks:
@@ -111,5 +110,5 @@ class FreePyramid(Rules[State]):
 
     def _spot(self, layout: Layout, balls: tuple[str, ...]) -> tuple[Layout, Spotted]:
         """General rules: on the foot spot or behind it on the long string, touching nothing; else before it."""
-        down = [ball for ball in balls if layout[ball].phase == POCKETED]
-        return spot_balls(self.table, layout, down, self.table.furniture.spots["foot"], clear=frozenset(layout))
+        lost = [ball for ball in balls if layout[ball].phase in GONE]
+        return spot_balls(self.table, layout, lost, self.table.furniture.spots["foot"], clear=frozenset(layout))

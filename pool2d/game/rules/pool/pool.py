@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar, TypeVar, Unpack
 
-from ....physics.values import POCKETED, Layout
+from ....physics.values import GONE, Layout
 from ..base import Rules
 from ..notes import Note
 from ..report import Report
@@ -108,4 +108,5 @@ def driven(report: Report) -> int:
 
 
 def gone(layout: Layout, ball: str) -> bool:
-    return layout[ball].phase == POCKETED
+    """Whether a ball is no longer on the table: it fell, or left it."""
+    return layout[ball].phase in GONE

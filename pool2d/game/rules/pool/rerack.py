@@ -29,7 +29,7 @@ def rerack(table: Table, layout: Layout, name: str, seed: int) -> tuple[Layout, 
             return put(racked, ball.id, _free_spot(table, racked, cue.id)), ""
         if cue_in and (_on_head_spot(table, ball) or (line is not None and ball.x < line)):
             return put(racked, cue.id, _free_spot(table, racked, ball.id)), ""
-    return (racked.put(cue._replace(phase=POCKETED)), KITCHEN) if cue_in else (racked, "")
+    return (racked.put(cue.still()._replace(phase=POCKETED)), KITCHEN) if cue_in else (racked, "")
 
 
 def interferes(table: Table, name: str, place: Point) -> bool:

@@ -9,7 +9,7 @@ from typing import Literal
 
 from ....config.knobs import choice
 from ....errors import InputError
-from ....physics.values import POCKETED, Layout
+from ....physics.values import GONE, POCKETED, Layout
 from ..base import Options, Rules
 from ..notes import Note
 from ..report import Report
@@ -131,7 +131,7 @@ class Snooker(Rules[SnookerState]):
             return self.ruled(self.aiming(state, layout, player, D), layout)
         if key == "put-back":
             return self._put_back(state, layout)
-        where: Where = D if layout[self.table.furniture.cue].phase == POCKETED else ""
+        where: Where = D if layout[self.table.furniture.cue].phase in GONE else ""
         state = replace(state, misses=0, before=())
         if key == "play-again":
             # 3.11 (h), 3.12 (f): the offender plays, and there is no free ball.
@@ -155,7 +155,7 @@ class Snooker(Rules[SnookerState]):
     def free_ball(self, state: SnookerState, layout: Layout) -> bool:
         """3.12: whether the cue ball is snookered after a foul."""
         on, cue = balls_on(state.phase, layout), layout[self.table.furniture.cue]
-        if cue.phase == POCKETED:
+        if cue.phase in GONE:
             return vantage(self.table, layout, cue, on, D) is None
         return snookered(self.table, layout, cue, on)
 
@@ -246,7 +246,7 @@ class Snooker(Rules[SnookerState]):
         if first != second:
             state = self.ended(state, 0 if first > second else 1)
             return self.ruled(state, layout, *notes, fouls=notes_of_fouls, spotted=spotted, points=change)
-        cue = layout[self.table.furniture.cue]._replace(phase=POCKETED)
+        cue = layout[self.table.furniture.cue].still()._replace(phase=POCKETED)
         layout, spotted = spot_colors(self.table, layout.put(cue), ("black",))
         # The lots are drawn from the seed.
         drawn = random.Random(f"lots {state.seed}").randrange(2)

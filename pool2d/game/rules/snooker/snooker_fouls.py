@@ -1,7 +1,7 @@
 """What a stroke at snooker was worth: the balls it was on, its fouls and its points.
 
 Clauses are those of the WPBSA's rules, section 3. What the engine cannot show is in `report`: a stroke out of
-turn, feet, jumps, balls touched or used to measure (most of 3.10 a, b and d).
+turn, feet, balls touched or used to measure (most of 3.10 a, b and d).
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Final, Literal, NamedTuple, TypeAlias
 
 from ....physics.values import Layout
 from ....table.table import Table
+from ..lost import ball_off, cue_ball_off
 from ..notes import Note
 from ..report import Report
 from ..sight import snookering
@@ -82,7 +83,7 @@ def nominable(phase: SnookerPhase, free: bool, layout: Layout) -> tuple[str, ...
 
 def all_fouls(table: Table, layout: Layout, report: Report, aim: Target) -> tuple[Foul, ...]:
     """Every foul of a stroke, the dearest first; `layout` is as the balls came to rest (3.10)."""
-    found = [*_hit(report, aim), *_lost(report, aim), *_pushed(report, aim)]
+    found = [*_hit(report, aim), *_lost(report, aim), *_jumped(report, aim), *_pushed(report, aim)]
     # 3.8 (c): to play away from the free ball, touching it, has no penalty, wherever the cue ball ends.
     if not found and aim.free and aim.free not in report.touching and not scored(report, aim):
         found += _hidden(table, layout, report, aim)
@@ -138,22 +139,37 @@ def _lost(report: Report, aim: Target) -> Iterator[Foul]:
     """3.10 (a): the cue ball falls. (b): a ball not on falls, or any ball is forced off the table."""
     if report.scratch:
         yield Foul(Note("foul.scratch"), aim.worth)
-    if report.cue_off:
-        yield Foul(Note("foul.cue-off"), aim.worth)
+    for note in cue_ball_off(report):
+        yield Foul(note, aim.worth)
     for ball in report.potted:
         if ball not in aim.on and ball != aim.free:
             yield Foul(Note("foul.potted", ball=ball), max(aim.worth, value(ball)))
     for ball in report.off:
-        yield Foul(Note("foul.off", ball=ball), max(aim.worth, value(ball)))
+        yield Foul(ball_off(report, ball, ball), max(aim.worth, value(ball)))
+
+
+def _jumped(report: Report, aim: Target) -> Iterator[Foul]:
+    """3.10 (a): a jump shot. 2.20: the cue ball passes over any part of a ball, whether it touches it or not.
+
+    It is none where it has struck another ball first (a); where it jumps and strikes a ball, but does not come down
+    beyond it (b); where it goes over the ball it has struck off a cushion or another ball (c).
+    """
+    for ball in (*report.over, *report.vaulted)[:1]:
+        yield Foul(Note("foul.jump", ball=ball), aim.worth)
 
 
 def _pushed(report: Report, aim: Target) -> Iterator[Foul]:
-    """3.10 (b): a push stroke, at a touching ball too (3.8 b). The tip still on the cue ball is one (2.19)."""
+    """3.10 (b): a push stroke, at a touching ball too (3.8 b). The tip still on the cue ball is one (2.19).
+
+    (a): the cue ball is struck more than once.
+    """
     pushed: Collection[str] = report.pressed
     if not pushed and any(fault in ("push", "double-hit") for fault in report.stroke):
         pushed = report.first or ("",)
     for ball in pushed:
         yield Foul(Note("foul.push"), max(aim.worth, value(ball)))
+    if "second-hit" in report.stroke and not pushed:
+        yield Foul(Note("foul.second-hit"), aim.worth)
 
 
 def _hidden(table: Table, layout: Layout, report: Report, aim: Target) -> Iterator[Foul]:
