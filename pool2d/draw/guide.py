@@ -24,7 +24,9 @@ from .ways import WITHIN, Line, Way, dashes, joined, ways
 # The levels, as the settings name them in this order.
 NONE, LINE, GHOST, WHOLE = range(len(GUIDES))
 # No more events than these are waited for, but for the whole guide: out of a rack a ball may be long in getting on.
-EVENTS = 40
+EVENTS = 25
+# How many more, where the ball is struck from above: it bounces.
+BOUNCES = 15
 # How far a path that is drawn may be from where the ball goes, px.
 _PIXELS = 0.3
 # How far the cue ball's way after the contact is followed, m.

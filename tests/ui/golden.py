@@ -22,13 +22,13 @@ import numpy.typing as npt
 import pygame
 
 from docs import picture_scenes, pictures
-from pool2d import load_table
+from pool2d import Ball, load_table
 from pool2d.config.catalogue import TABLES, shipped
 from pool2d.draw import theme
 from pool2d.draw.balls import ball_art
 from pool2d.draw.export import heat_map, rests_picture
 from pool2d.draw.tabletop import table_picture
-from pool2d.draw.view import fit
+from pool2d.draw.view import View, fit
 from pool2d.game.orientations import racked_orientations
 from pool2d.ui.dialogs import help
 
@@ -78,6 +78,21 @@ def balls(name: str, style: theme.Style = theme.PLAIN) -> pygame.Surface:
     return picture
 
 
+def flying() -> pygame.Surface:
+    """Balls at growing heights over the cloth, one over another, on a rail's top, over that, and in a pocket."""
+    table = load_table("pool-9ft")
+    view = View(scale=450.0, left=-60.0, bottom=330.0)
+    picture = table_picture.draw(table, SIZE, view)
+    heights = (0.0, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3)
+    top = table.bed.ground.high
+    balls = [Ball(str(i + 1), 0.21 + 0.145 * i, 0.6, z=z) for i, z in enumerate(heights)]
+    balls += [Ball("cue", 0.53, 0.27, z=0.06), Ball("7", 0.5, 0.25), Ball("3", 0.4, -0.05, z=top)]
+    balls += [Ball("4", 0.7, -0.05, z=top + 0.05), Ball("5", 1.27, -0.05, z=-0.015)]
+    placed = [ball_art.placed_on(table, view, ball, (1.0, 0.2, 0.1, 0.0)) for ball in ball_art.from_below(balls)]
+    ball_art.draw_all(picture, placed)
+    return picture
+
+
 def rests() -> pygame.Surface:
     """Where a cue ball may have come to rest, on a table with its rack."""
     table = load_table("pool-7ft")
@@ -96,6 +111,7 @@ SCENES: dict[str, Callable[[], pygame.Surface]] = {
     **{f"balls-{name}": partial(balls, name) for name in shipped(TABLES)},
     **{f"balls-{name}".replace(" ", "-"): partial(balls, "pool-9ft", theme.Style(palette, patterned=True))
        for name, palette in theme.PALETTES.items()},
+    "balls-in-the-air": flying,
     "study-map": lambda: heat_map.draw(findings.map_of_a_ridge(), SIZE),
     "study-rests": rests,
     **{f"window-{name}": partial(window, name) for name in WINDOWS},

@@ -28,7 +28,10 @@ _FAINT = 110
 _EYE, _HIGHEST = 0.8, 0.4
 # How high a ball has all the light that it gets, in its radii; and into how many steps a radius of height is cut for
 # shadows.
-_BRIGHTEST, _HEIGHTS = 8.0, 8
+_BRIGHTEST, _HEIGHTS = 8.0, 4
+# From which height on, in radii, a shadow grows no softer; and into how many steps a pixel is cut for the size of a
+# ball in the air.
+_SOFTEST, _SIZES = 6.0, 2
 
 
 class Placed(NamedTuple):
@@ -85,15 +88,19 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
     """
     shadows, sprites, corners = [], [], []
     for ball in balls:
-        radius = max(1.0, round(ball.radius * ball.nearer * STEPS) / STEPS)
-        x, y, step = place(ball.centre)
+        lies, radius = _radii(ball)
+        aloft = radius != lies
+        # Of each size on its way there is one picture, put to a whole pixel: nobody sees in one frame that it is.
+        x, y, step = place((round(ball.centre[0]), round(ball.centre[1])) if aloft else ball.centre)
         if ball.shadow:
             shadows.append(_shadow(ball))
         level = round(ball.alpha * LEVELS / 255.0)
         # A rough picture is not looked for again.
-        orientation = _rounded(ball.orientation, radius) if ball.fine else ball.orientation
+        # Nor is a skin worth making for a size that passes.
+        fine = ball.fine or aloft
+        orientation = _rounded(ball.orientation, radius) if fine else ball.orientation
         lit = round(min(max(0.0, ball.height / ball.radius) / _BRIGHTEST, 1.0) * LIT)
-        sprites.append(Sprite(Coat(ball.look, style), radius, step, orientation, level, ball.fine, lit))
+        sprites.append(Sprite(Coat(ball.look, style), radius, step, orientation, level, fine, lit))
         half = light(radius).half
         corners.append((x - half, y - half))
     # The type allows for none being returned.
@@ -102,11 +109,22 @@ def draw_all(surface: pygame.Surface, balls: Iterable[Placed], style: Style = th
 
 def _shadow(ball: Placed) -> tuple[pygame.Surface, tuple[int, int]]:
     """The shadow of a ball, and its top left corner; below a ball that flies it is as large as if it lay there."""
-    radius, height = max(1.0, round(ball.radius * STEPS) / STEPS), max(0.0, ball.height)
-    aside, below = shadow_of(height)
-    x, y, step = place((ball.centre[0] + aside, ball.centre[1] + below))
-    shade, right, down = shadow(radius, step, round(height / radius * _HEIGHTS) / _HEIGHTS)
-    return shade, (x + right, y + down)
+    radius, height = _radii(ball)[0], max(0.0, ball.height)
+    soft = round(min(height / radius, _SOFTEST) * _HEIGHTS) / _HEIGHTS
+    x, y = ball.centre
+    if soft > 0.0:
+        # It has no edge by which to see that it lies on a whole pixel.
+        aside, below = shadow_of(height)
+        x, y = round(x + aside), round(y + below)
+    left, top, step = place((x, y))
+    shade, right, down = shadow(radius, step, soft)
+    return shade, (left + right, top + down)
+
+
+def _radii(ball: Placed) -> tuple[float, float]:
+    """The radius of a ball, rounded to parts of a pixel, as it lies and as it looks in the air."""
+    lies = max(1.0, round(ball.radius * STEPS) / STEPS)
+    return lies, lies + round(_SIZES * ball.radius * (ball.nearer - 1.0)) / _SIZES
 
 
 def placed_on(table: Table, view: View, ball: Ball, orientation: Quaternion) -> Placed:

@@ -123,7 +123,7 @@ def _pixels(rgb: Floats, alpha: Floats) -> Pixels:
     return pixels
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=48)
 def light(radius: float) -> Light:
     return Light(radius)
 

@@ -26,7 +26,8 @@ class Foresight:
         key = (layout, table, shot)
         if key != self._key or level > self._level:
             self._key, self._level = key, level
-            events = None if level == guide.WHOLE else guide.EVENTS
+            bounces = guide.BOUNCES if shot.elevation > 0.0 else 0
+            events = None if level == guide.WHOLE else guide.EVENTS + bounces
             try:
                 self._rollout = simulate(table, layout, shot, events=events, until=guide.Enough(level, shot.ball))
             except (InputError, BudgetError):

@@ -12,7 +12,7 @@ from ...draw.tabletop.background import Background
 from ...draw.view import View, fit
 from ...physics.orientation import FACING, Quaternion
 from ...physics.rollout import Rollout
-from ...physics.values import AIRBORNE, OFF, RESTING, Ball, Layout
+from ...physics.values import OFF, RESTING, Ball, Layout
 from ...table.flights import jumped
 from ...table.furniture import Look
 from ...table.table import Table
@@ -71,9 +71,8 @@ class Stage:
         balls = []
         if shown.rollout is not None and shown.rotation is not None:
             balls = tray.going(shown.rollout, shown.rotation, self.table, shown.t, self._placed)
-        # One that flies has another size at each frame, for which no skin is worth making either.
         balls += [
-            self._placed(ball, orientations.get(ball.id, FACING), not rough or ball.phase in (RESTING, AIRBORNE))
+            self._placed(ball, orientations.get(ball.id, FACING), not rough or ball.phase == RESTING)
             for ball in ball_art.from_below(layout.on_table())
             if ball.id != but
         ]
