@@ -217,7 +217,7 @@ class Match:
             raise InputError("match", "shot.ball", stroke.shot.ball, allowed)
         _check_call(stroke.call, ask, self.table)
         rollout = simulate(self.table, now.layout, stroke.shot)
-        report = observe(self.table, rollout, stroke.call, stroke.shot.ball)
+        report = observe(self.table, rollout, stroke.call, stroke.shot.ball, stroke.shot.easy)
         ruling = self._judge.judge(now.state, _after(rollout), report)
         if lagged(now.state):
             return Moment(ruling, now.tallies, now.breaker, now.frame, ask.player, stroke, rollout)

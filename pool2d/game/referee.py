@@ -27,8 +27,10 @@ _RESTS = 1e-6
 GRAZED = math.cos(math.radians(30.0))
 
 
-def observe(table: Table, rollout: Rollout, call: Call | None = None, cue: str = "") -> Report:
+def observe(table: Table, rollout: Rollout, call: Call | None = None, cue: str = "", easy: bool = False) -> Report:
     """The report of a whole shot; `cue` is the ball that was struck, the table's cue ball where not given.
+
+    Of an `easy` stroke the tip is gone once it has struck (`Shot.easy`), so that no ball is met too soon.
 
     Examples:
         >>> from pool2d import Ball, Layout, Shot, load_table, simulate
@@ -40,16 +42,17 @@ def observe(table: Table, rollout: Rollout, call: Call | None = None, cue: str =
         >>> report.first, report.potted, report.scratch
         (('1',), ('1',), True)
     """
-    return _Reader(table, rollout, cue or table.furniture.cue).report(call or Call())
+    return _Reader(table, rollout, cue or table.furniture.cue, easy).report(call or Call())
 
 
 class _Reader:
     """Goes through the events of a rollout once."""
 
-    def __init__(self, table: Table, rollout: Rollout, cue: str) -> None:
+    def __init__(self, table: Table, rollout: Rollout, cue: str, easy: bool) -> None:
         self.table = table
         self.rollout = rollout
         self.cue = cue
+        self.easy = easy
         self.start = rollout.start
         self.line = table.furniture.head_string
         # How far down and up the table each ball gets.
@@ -152,7 +155,9 @@ class _Reader:
             yield "push"
         elif len(hits) > 1:
             yield "second-hit"
-        elif when <= TIP_TIME and any(ball not in touching and self.full(ball, when) for ball in first):
+        elif (
+            not self.easy and when <= TIP_TIME and any(ball not in touching and self.full(ball, when) for ball in first)
+        ):
             yield "double-hit"
 
     def full(self, ball: str, when: float) -> bool:

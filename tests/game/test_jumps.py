@@ -6,12 +6,14 @@ The shots are the engine's; a tip that strikes again is put among the events by 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from pool2d import Ball, Layout, Rollout, Shot, load_table, simulate
 from pool2d.game.jumps import COVERED
 from pool2d.game.referee import TIP_TIME, observe
+from pool2d.game.rules import GAMES, Choice
 from pool2d.game.rules.report import BALL, OFF, RAIL, TOP, Contact, Report
 from pool2d.physics.event import Event
 from pool2d.physics.values import EventKind
@@ -200,3 +202,66 @@ def test_a_ball_that_meets_the_back_of_its_pocket_is_obvious_all_the_same() -> N
     assert Report(contacts, first=("1",)).called() == "1"
     off_another = (contacts[0], Contact(RAIL, "1", "top-right back"), contacts[-1])
     assert Report(off_another, first=("1",)).called() == ""
+
+
+# From flights to rulings.
+
+JUMPS = [
+    ("nine-ball", "pool-9ft", "2", "1", ()),
+    ("eight-ball", "pool-9ft", "2", "1", ()),
+    ("one-pocket", "pool-9ft", "2", "1", ()),
+    ("straight", "pool-9ft", "2", "1", ()),
+    ("snooker", "snooker-12ft", "green", "red1", ("foul.jump",)),
+    ("six-red", "snooker-12ft", "green", "red1", ("foul.jump",)),
+    ("english-eight-ball", "english-7ft", "yellow1", "red1", ("foul.jump",)),
+    ("blackball", "english-7ft", "yellow1", "red1", ("foul.jump",)),
+    ("three-cushion", "carom-10ft", "yellow", "red", ()),
+    ("free-pyramid", "pyramid-12ft", "2", "1", ()),
+]
+
+
+@pytest.mark.parametrize(("name", "table", "blocker", "target", "fouls"), JUMPS)
+def test_a_jump_is_legal_where_the_game_has_it_so(
+    name: str, table: str, blocker: str, target: str, fouls: tuple[str, ...]
+) -> None:
+    """The cue ball flies over a ball and meets the one that is on."""
+    on = load_table(table)
+    rules, start = GAMES[name](on), GAMES[name](on).start()
+    if start.ask.kind == "choose":
+        start = rules.choose(start.state, start.layout, Choice(start.ask.options[0]))
+    y = 0.5 * on.knobs.table.width
+    flying = start.layout["cue"]._replace(x=0.4, y=y, z=0.01, vx=2.4, vz=1.4)
+    standing = {blocker: 0.7, target: 1.5}
+    places = [start.layout[ball].still()._replace(x=x, y=y) for ball, x in standing.items()]
+    # What else there is is out of the way.
+    others = [ball._replace(phase="pocketed") for ball in start.layout.values() if ball.id not in {*standing, "cue"}]
+    layout = start.layout.put(flying, *places, *others)
+    roll = simulate(on, layout, Shot(speed=0.0))
+    report = observe(on, roll)
+    assert (report.first, report.over) == ((target,), (blocker,))
+    ruling = rules.judge(replace(start.state, shots=5), roll.layout(), report)
+    assert tuple(note.key for note in ruling.fouls if note.key in ("foul.jump", "foul.wrong-ball")) == fouls
+
+
+@pytest.mark.parametrize(
+    ("name", "lost", "what"),
+    [
+        ("eight-ball", "8", "loss.eight-off"),
+        ("eight-ball", "3", "foul.over"),
+        ("nine-ball", "9", "spotted"),
+        ("straight", "3", "spotted"),
+        ("one-pocket", "3", "spotted"),
+    ],
+)
+def test_a_ball_that_flies_off_the_table_is_ruled_by_the_game(name: str, lost: str, what: str) -> None:
+    rules, start = GAMES[name](TABLE), GAMES[name](TABLE).start()
+    if start.ask.kind == "choose":
+        start = rules.choose(start.state, start.layout, Choice(start.ask.options[0]))
+    flying = start.layout[lost]._replace(x=0.5, y=0.635, z=0.06, vx=-6.0, vz=1.2)
+    roll = simulate(TABLE, start.layout.put(flying), Shot(angle=0.0, speed=3.0))
+    report = observe(TABLE, roll)
+    assert report.left == {lost: "left"}
+    ruling = rules.judge(replace(start.state, shots=5), roll.layout(), report)
+    assert what in [note.key for note in ruling.notes]
+    assert (lost in dict(ruling.spotted)) == (what == "spotted")
+    assert (lost in [ball.id for ball in ruling.layout.on_table()]) == (what == "spotted")

@@ -133,6 +133,12 @@ def test_a_close_ball_is_hit_in_full_or_grazed_whichever_way_it_lies(way: float,
     assert told.stroke == (("double-hit",) if full else ())
 
 
+def test_the_tip_of_an_easy_stroke_is_gone_once_it_has_struck() -> None:
+    close = Layout([Ball("cue", 0.5, 0.635), Ball("1", 0.501 + 2.0 * RADIUS, 0.635)])
+    roll = simulate(TABLE, close, Shot(angle=0.0, speed=2.0, easy=True))
+    assert observe(TABLE, roll, easy=True).stroke == ()
+
+
 def test_a_tip_stays_on_the_cue_ball_for_a_millisecond() -> None:
     found = set()
     for gap in (5e-4 * i for i in range(1, 13)):
