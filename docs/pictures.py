@@ -40,6 +40,8 @@ def draw(scene: PictureScene, size: tuple[int, int]) -> pygame.Surface:
     """The window at a scene."""
     store = Store()
     store.turn("screen.language", "en")
+    # What scenes aim is struck as they have it: they were composed for a cue that lies level.
+    store.turn("aiming.easy_stroke", True)
     app = App(load_table(scene.table), 3, size, store)
     pygame.event.clear()
     scene.go(Hand(app))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,13 +14,14 @@ from ..errors import InputError, suggest
 from ..physics.rollout import Rollout
 from ..physics.simulate import simulate
 from ..physics.values import MOTION_FIELDS, SHOT_RANGES, Ball, Layout, Shot
+from .clearance import least_elevation
 from .placing import MOST_BALLS, RANGES, check_id
 from .position_text import Position
 from .position_text import read as read_position
 from .preset import load_table, read_preset
 from .table import Table
 
-KEYS = ("table", "conditions", "set", "position", "rack", "seed", "balls", "shot")
+KEYS = ("table", "conditions", "set", "position", "rack", "seed", "balls", "shot", "cue")
 _BALL_KEYS = ("id", *MOTION_FIELDS, "radius", "mass")
 _SHOT_KEYS = tuple(Shot.__dataclass_fields__)
 # What is not a number of a shot's, and what it is.
@@ -103,9 +104,24 @@ def _scenario(
     position = Position() if text is None else read_position(text, source)
     table = _table(data, position, source, overrides, conditions)
     layout = table.settle(_layout(data, position, table, source))
-    if "shot" in data:
-        return Scenario(table, layout, _shot(data["shot"], layout, source))
-    return Scenario(table, layout, _on(position.shot, layout, source))
+    shot = _shot(data["shot"], layout, source) if "shot" in data else _on(position.shot, layout, source)
+    if _is_clear(data.get("cue", {}), source) and shot is not None:
+        needed = least_elevation(table, layout, shot)
+        if needed.elevation is None:
+            raise InputError(source, "cue.clear", True, f"no elevation takes the cue to this tip over {needed.over}")
+        shot = replace(shot, elevation=needed.elevation)
+    return Scenario(table, layout, shot)
+
+
+def _is_clear(entry: Any, source: str) -> bool:
+    """Whether the butt is to be raised until the cue goes through nothing; raises InputError for any other key."""
+    if not isinstance(entry, dict):
+        raise InputError(source, "cue", entry, "allowed is a section with clear")
+    check_keys(entry, ("clear",), source, "cue.")
+    clear = entry.get("clear", False)
+    if not isinstance(clear, bool):
+        raise InputError(source, "cue.clear", clear, "allowed is true or false")
+    return clear
 
 
 def _table(

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from pool2d import Ball, InputError, Layout, Shot, load_scenario, load_table, simulate
+from pool2d import Ball, InputError, Layout, Shot, least_elevation, load_scenario, load_table, simulate
 
 from ..scenes import random_shot
 
@@ -104,6 +104,20 @@ def test_table_writes_what_a_scenario_reads(tmp_path: Path) -> None:
     assert "shot" not in table.scenario(layout, None)
 
 
+def test_a_cue_that_is_to_be_clear_is_raised(tmp_path: Path) -> None:
+    text = 'position = "pool-9ft cue@0.05,0.5 cue:0,2.0"\n'
+    given = load_scenario(write(tmp_path, text)).shot
+    cleared = load_scenario(write(tmp_path, text + "cue.clear = true\n"))
+    assert given is not None and given.elevation == 0.0
+    needed = least_elevation(cleared.table, cleared.layout, given)
+    assert cleared.shot == replace(given, elevation=needed.elevation or 0.0) and needed.over == "left"
+    assert cleared.shot is not None and cleared.shot.elevation == pytest.approx(16.18, abs=0.01)
+    assert load_scenario(write(tmp_path, text + "cue.clear = false\n")).shot == given
+    buried = 'position = "pool-9ft cue@0.028,0.5 cue:0,2.0,0,-0.85"\ncue.clear = true\n'
+    with pytest.raises(InputError, match=r"cue\.clear = True: no elevation takes the cue to this tip over left"):
+        load_scenario(write(tmp_path, buried))
+
+
 def test_an_easy_stroke_is_told_where_it_is_one(tmp_path: Path) -> None:
     table = load_table("pool-9ft")
     layout, shot = random_shot(table, 2)
@@ -161,6 +175,9 @@ HUGE = "9" * 400
         ("side = 0.1", "side = 0.99", "shot.side, shot.height = (0.99, -0.2): the tip is off the ball"),
         ('ball = "big"', 'ball = "bag"', "shot.ball = 'bag': unknown; did you mean big?"),
         ('ball = "big"', "ball = 3", "shot.ball = 3: allowed is a ball"),
+        ("[shot]", "[cue]\nclear = 1\n[shot]", "cue.clear = 1: allowed is true or false"),
+        ("[shot]", "[cue]\nclaer = true\n[shot]", "cue.claer = True: unknown; did you mean clear?"),
+        ('table = "pool-9ft"', 'table = "pool-9ft"\ncue = 3', "cue = 3: allowed is a section with clear"),
         ('ball = "big"', "easy = 1", "shot.easy = 1: allowed is true or false"),
         ("[shot]", "[shot.x]", "shot.x = {"),
         ("[shot]", "[[shot]]", "shot = [{"),
@@ -228,7 +245,7 @@ def test_a_rack_sets_up_what_is_not_placed(tmp_path: Path) -> None:
         (
             "a.json",
             b'{"two\\nlines": 1}',
-            "two\\nlines = 1: unknown; known are balls, conditions, position, rack, seed, set",
+            "two\\nlines = 1: unknown; known are balls, conditions, cue, position, rack, seed, set",
         ),
         ("a.json", b'{"table": "' + b"x" * 5000 + b'"}', "table = 'xxx"),
         ("a.json", b'{"table": "a\\u0000"}', "table = 'a\\x00': allowed is a text of printable characters"),

@@ -15,6 +15,7 @@ from ..scene import Scene
 from ..screen import Screen
 from ..stage.stage import Stage
 from ..stage.timeline import Timeline
+from ..wording.clearance_text import TOLD
 from ..wording.keys import fine_step
 from .by_hand_page import ByHandPage
 from .call_strip import CallStrip
@@ -64,6 +65,7 @@ class Controller:
             **stage.camera.keys,
             **self.editing.keys,
             **self.positions.keys,
+            "raise": self._raise,
             "strike": self._enter,
             "jump_cue": self._change_cue,
             "guide": self._next_guide,
@@ -253,6 +255,13 @@ class Controller:
             state.messages.show(lambda: words.say("play.jump_cue", key=words.key("jump_cue")))
         else:
             state.messages.show(lambda: words.say("play.playing_cue"))
+
+    def _raise(self) -> None:
+        """Raise the butt, from where it has to be where that is told."""
+        hands, needed = self.state.hands, self.state.clearance
+        if needed.over and (needed.elevation or 0.0) >= TOLD:
+            hands.aim = hands.aim.with_elevation(needed.elevation or 0.0)
+        hands.raise_butt(1.0)
 
     def _next_guide(self) -> None:
         say = self.state.words.say

@@ -11,6 +11,7 @@ import pygame
 from ...draw import cue, cue_motion, guide, theme, vectors
 from ...draw.debug import ScreenPen, draw_geometry
 from ...draw.view import View
+from ...game.aim import Aim
 from ...game.rules import AIM, CHOOSE
 from ...game.rules.spotting import KITCHEN, D
 from ...physics.strike import miscue_limit
@@ -21,7 +22,7 @@ from ..stage.legend import draw_legend
 from ..stage.playback import Playback
 from ..stage.shot_view import in_motion
 from ..stage.stage import Stage
-from ..wording import flight_text
+from ..wording import clearance_text, flight_text
 from . import drill_marks
 from .call_words import called, off_target
 from .controller import Controller
@@ -66,17 +67,21 @@ def notes(state: PlayState, speed: float) -> str:
     session, shot = state.session, state.aimed(speed)
     if state.playback is not None or session.ask.kind != AIM or speed == 0.0:
         return ""
+    if state.clearance.elevation is None:
+        others = state.foresight.other_tips(session.table, session.layout, state.chosen())
+        return clearance_text.refused(state.words, state.clearance, session.layout, others)
     aimed = state.first_hit(shot) if state.show.level or state.calls.pocket else ""
     off = off_target(state.words, state.calls, session, aimed) if state.show.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
     slips = state.words.say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
     said = called(state.words, state.calls, session, aimed)
-    return " ".join(filter(None, (said, off, slips, hop_note(state, speed))))
+    raised = "" if session.in_hand else clearance_text.raised(state.words, state.clearance, session.layout)
+    return " ".join(filter(None, (said, off, slips, raised, hop_note(state, speed))))
 
 
 def hop_note(state: PlayState, speed: float) -> str:
     """What to say of a stroke so steep and hard that its ball leaves the cloth."""
-    if state.hands.aim.elevation == 0.0 or state.playback is not None or state.session.in_hand:
+    if state.aimed(speed).elevation == 0.0 or state.playback is not None or state.session.in_hand:
         return ""
     session, shot, level = state.session, state.aimed(speed), state.show.level
     foreseen = state.foresight.rollout(session.table, level, session.layout, shot) if level != guide.NONE else None
@@ -103,13 +108,13 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
         shot = state.aimed(hands.speed or hands.aim.speed)
         aimed = state.first_hit(shot) if state.calls.pocket else ""
         controller.call_strip.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
-        cue.draw(surface, session.table, session.cue, hands.aim, cue_motion.stand(hands.drawn), stage.view)
+        cue.draw(surface, session.table, session.cue, Aim.of(shot), cue_motion.stand(hands.drawn), stage.view)
 
 
 def _guide(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
     """What the stroke would do; off, it is not worked out either."""
     session, level = state.session, state.show.level
-    if level != guide.NONE:
+    if level != guide.NONE and state.clearance.elevation is not None:
         shot = state.aimed(state.hands.speed)
         stage.guide(surface, level, state.foresight.rollout(session.table, level, session.layout, shot), shot.ball)
 
@@ -172,7 +177,9 @@ def _bars(surface: pygame.Surface, state: PlayState, controller: Controller) -> 
         aim, speed = hands.aim, hands.speed
         if struck is not None:
             # The pointer that moves meanwhile aims at nothing yet.
-            aim, speed = replace(aim, angle=struck.angle), struck.speed
+            aim, speed = replace(aim, angle=struck.angle, elevation=struck.elevation), struck.speed
+        elif session.ask.kind == AIM and not session.in_hand:
+            aim = replace(aim, elevation=state.aimed().elevation)
         bars.draw_controls(surface, state.words, screen, aim, speed, session.table.knobs.cue.tip_friction)
     wrong = (controller.tuning.error if controller.tuning is not None else "") or state.messages.warning
     message = wrong or f"{state.messages.text} {notes(state, hands.speed)}".strip()

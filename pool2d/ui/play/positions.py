@@ -60,7 +60,7 @@ class Positions:
         """Copy the position, with what is aimed, as a line of text."""
         say = self.words.say
         session = self.state.session
-        text = write(session.layout, self.state.aimed(), session.table)
+        text = write(session.layout, self.state.chosen(), session.table)
         copied = clipboard.put(text)
         self.state.messages.show(lambda: say("edit.copied") if copied else say("edit.no_clipboard"))
 
@@ -84,7 +84,7 @@ class Positions:
     def save(self) -> None:
         """Ask for a name to keep the position by."""
         session = self.state.session
-        shot = self.state.aimed()
+        shot = self.state.chosen()
 
         def keep(name: str) -> None:
             path = saved_positions.save(name, session.table, session.layout, shot)

@@ -10,11 +10,12 @@ from itertools import pairwise
 from ...draw import cue_motion
 from ...errors import BudgetError, InputError
 from ...game.aim import Aim
-from ...game.rules import OVER
+from ...game.rules import AIM, OVER
 from ...game.session import Session, practice
 from ...physics.rollout import Rollout
 from ...physics.values import Ball, Layout, Shot
 from ...sound.mixer import Sounds
+from ...table.clearance import Clearance
 from ...table.preset import load_table
 from ...table.table import Table
 from ..scene import Scene
@@ -66,6 +67,8 @@ class PlayState:
         self.show = Show()
         self.wish: Scene | Wish | None = None
         self.easy_stroke = False
+        # The last stroke, and the elevation that its player had chosen for it.
+        self._struck: tuple[Shot | None, float] = None, 0.0
         self.mode = _mode_of(self)
         self.messages = Messages(lambda: self.mode.standing)
         self.hands.player = session.ask.player
@@ -101,8 +104,19 @@ class PlayState:
         return self.mode.titles(None if self.playback is None else self.gone)
 
     def aimed(self, speed: float | None = None) -> Shot:
-        """The shot that is aimed, at the speed of a stroke by key or another, m/s."""
+        """The shot that is aimed, at the speed of a stroke by key or another, m/s, its butt as high as it has to be."""
+        shot = self.chosen(speed)
+        least = self.clearance.elevation
+        return shot if least is None else replace(shot, elevation=least)
+
+    def chosen(self, speed: float | None = None) -> Shot:
+        """The shot as the hands have it, whatever is in its way."""
         return replace(self.hands.aim.shot(self.session.cue.id, speed), easy=self.easy_stroke)
+
+    @property
+    def clearance(self) -> Clearance:
+        """How far the butt has to be raised for what is aimed, and over what."""
+        return self.foresight.clearance(self.session.table, self.session.layout, self.chosen())
 
     def first_hit(self, shot: Shot) -> str:
         """The ball that a shot would meet first; empty where it meets none."""
@@ -120,12 +134,17 @@ class PlayState:
         if self.session.ask.kind == OVER:
             self.wish = Wish.ENDED
             return
+        if self.session.ask.kind == AIM and self.clearance.elevation is None:
+            # Why not is said as long as it is aimed so.
+            self.messages.show(lambda: "")
+            return
         shot = self.aimed(speed)
         try:
             rollout = self.mode.play(shot, self.calls.said(self.session, self.first_hit(shot)))
         except (InputError, BudgetError) as error:
             self.messages.say(str(error))
             return
+        self._struck = shot, self.hands.aim.elevation
         self.run(Playback(rollout, shot, cue_motion.lead(drawn, self.show.effects)))
         self.messages.show(lambda: self.words.say("play.miscue") if shot_text.miscued(rollout) else "")
 
@@ -272,7 +291,8 @@ class PlayState:
     def aim_as(self, shot: Shot | None) -> None:
         """Aim a shot, or leave the aim as it is, until the pointer is moved."""
         if shot is not None:
-            self.hands.aim = Aim.of(shot)
+            struck, elevation = self._struck
+            self.hands.aim = Aim.of(replace(shot, elevation=elevation) if shot == struck else shot)
         self.hands.keep_aim()
 
     def drop(self) -> None:

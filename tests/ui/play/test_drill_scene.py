@@ -119,6 +119,8 @@ def test_a_whole_run_is_added_up_and_the_next_begins(hand: Hand) -> None:
 
 def test_a_drill_of_several_steps_goes_on_after_a_good_stroke(hand: Hand) -> None:
     drill = begin(hand, "three-in-order")
+    # Its solution is of level strokes.
+    hand.play.state.easy_stroke = True
     hand.play.state.hands.aim = Aim.of(drill.session.drill.solution[0])
     hand.strike()
     assert "1 of 3" in hand.play.state.messages.text
