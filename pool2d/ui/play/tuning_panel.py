@@ -25,8 +25,8 @@ from .tuning import NOTHING, Tuning
 PAGES: dict[str, tuple[str, ...]] = {
     "cloth": ("gravity", "cloth."),
     "balls": ("ball.",),
-    "cushions": ("cushion.",),
-    "pockets": ("corner.", "side.", "facing."),
+    "cushions": ("cushion.", "rail."),
+    "pockets": ("corner.", "side.", "facing.", "pocket."),
     "cue": ("cue.", "jump_cue."),
     "table": ("table.",),
     "by_hand": (),
