@@ -136,6 +136,7 @@ class Contacts:
                 body.set_velocity(velocity)
             ball.vz = up
             return Met([], [], [])
+        stroke.onward = tip.speed
         met = [(pair.a, pair.b) for pair in pairs]
         met.sort(key=lambda pair: ball not in pair)
         return Met(met, [(nose.ball, nose.name) for nose in noses], [])

@@ -108,10 +108,10 @@ class TipImpulse:
     """How a tip has set a ball moving that nothing was in the way of.
 
     Whether it met it cleanly; its impulse, N s, and the part of that which the cue feels `along` itself; the cue's
-    speed before, m/s, and mass, kg; the tip's restitution.
+    speed before, and `onward` after it, m/s, and mass, kg; the tip's restitution.
     """
 
-    __slots__ = ("clean", "impulse", "along", "speed", "mass", "restitution")
+    __slots__ = ("clean", "impulse", "along", "speed", "mass", "restitution", "onward")
 
     def __init__(
         self, clean: bool, impulse: float, along: float, speed: float, mass: float, restitution: float
@@ -122,6 +122,7 @@ class TipImpulse:
         self.speed = speed
         self.mass = mass
         self.restitution = restitution
+        self.onward = speed - impulse * along / mass
 
 
 @final

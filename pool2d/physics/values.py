@@ -27,6 +27,8 @@ EventKind = Literal[
 ]  # fmt: skip
 # What `where` says of a "cue_ball" event whose tip has slipped.
 MISCUE: Final = "miscue"
+# What it says of one whose tip has met the ball again, and stays with it.
+PUSH: Final = "push"
 
 
 class Ball(NamedTuple):

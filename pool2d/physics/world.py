@@ -11,6 +11,7 @@ from ..errors import InputError
 from .body import Body
 from .contact import Contacts, Met
 from .crowd import Crowd
+from .cue.tip import ON, Tip
 from .detect import Element, Pocket, time_ball_ball, time_in_the_air
 from .event import Event
 from .flight.bed import PATIENCE, Bed
@@ -19,7 +20,7 @@ from .motion import Motion, finish, off, pocketed, start
 from .params import Physics
 from .roots import INF
 from .strike import strike
-from .values import AIRBORNE, MISCUE, OFF, POCKETED, ROLLING, SLIDING, SPINNING, EventKind, Phase, Shot
+from .values import AIRBORNE, MISCUE, OFF, POCKETED, PUSH, ROLLING, SLIDING, SPINNING, EventKind, Phase, Shot
 
 # The event with which a phase ends by itself.
 _ENDS: Final[dict[Phase, EventKind]] = {SLIDING: "sliding_rolling", ROLLING: "rolling_resting", SPINNING: "spin_end"}
@@ -31,30 +32,22 @@ class World:
 
     A queue entry is (time, ball, other, version of ball, version of other), where `other` is a ball,
     -1 for the ball's own change of phase, -2 - e for table element e or, after those, for what stands about the bed off
-    the cloth, or `again` where the ball has to look for others once more. An entry whose versions are
-    not the present ones is stale: the ball has moved otherwise since.
+    the cloth, `again` where the ball has to look for others once more, `tip_again` for the tip that has struck it. An
+    entry whose versions are not the present ones is stale: the ball has moved otherwise since.
     """
 
     __slots__ = (
-        "physics",
-        "elements",
-        "bed",
-        "again",
-        "cloth",
-        "now",
-        "events",
-        "queue",
-        "crowd",
-        "contacts",
-        "version",
-        "tracks",
-    )
+        "physics", "elements", "bed", "again", "tip", "tip_again", "cloth", "now", "events", "queue", "crowd",
+        "contacts", "version", "tracks",
+    )  # fmt: skip
 
     def __init__(self, bodies: list[Body], physics: Physics, elements: list[Element], bed: Bed) -> None:
         self.physics = physics
         self.elements = elements
         self.bed = bed
         self.again = -2 - len(self.elements) - len(self.bed.solids)
+        self.tip: Tip | None = None
+        self.tip_again = self.again - 1
         self.cloth = bed.materials.cloth
         self.now = 0.0
         self.events: list[Event] = []
@@ -76,9 +69,21 @@ class World:
             stroke = strike(body, shot, self.physics.cue)
             met = self.contacts.struck(body, stroke)
             self.bed.answer(body)
+            if stroke.onward > 0.0 and self.physics.cue.follow_through > 0.0 and not shot.easy:
+                self.tip = Tip(body, shot, stroke, self.physics.cue)
             others = [other for other in met.bodies() if other.index != body.index]
             pairs, rails, where = _names(met)
             self.record("cue_ball", where if stroke.clean else MISCUE, [body, *others], None, pairs, rails)
+
+    def strike_again(self, body: Body, tip: Tip) -> None:
+        """The tip that runs on meets its ball again; where the two stay together that is a push, and its end."""
+        lay = self.bed.lies(body)
+        parted = tip.strike(body, self.now)
+        if lay:
+            self.bed.answer(body)
+        if not parted:
+            self.tip = None
+        self.record("cue_ball", None if parted else PUSH, [body])
 
     def run(self, limit: int, until: Callable[[Event], bool] | None) -> bool:
         """Go on to rest, for `limit` events, or to the first that `until` says True of; whether that was the end."""
@@ -113,6 +118,9 @@ class World:
             self.look(i)
             return
         body = self.crowd.bring(i, self.now)
+        if other == self.tip_again and self.tip is not None:
+            self.strike_again(body, self.tip)
+            return
         if other >= 0:
             self.touched(self.contacts.balls(body, self.crowd.bring(other, self.now), self.now))
             return
@@ -190,6 +198,8 @@ class World:
             self.follow(motion)
         pairs, rails, where = _names(met)
         kind: EventKind = "cluster" if len(pairs) + len(rails) > 1 else "ball_ball" if pairs else "ball_cushion"
+        if self.tip is not None and self.now <= ON:
+            self.tip.held = False
         self.record(kind, where, met.bodies(), None, pairs, rails)
         if met.aloft:
             self.give_up(met.bodies())
@@ -234,6 +244,10 @@ class World:
             self.meet_table(motion, self.crowd.bodies[i].reach)
         elif motion.end < INF:
             heappush(self.queue, (motion.end, i, -1, self.version[i], 0))
+        if self.tip is not None and self.tip.index == i and self.now < self.tip.gone:
+            t = self.tip.time(motion, self.crowd.bodies[i].radius, self.now)
+            if t < INF:
+                heappush(self.queue, (t, i, self.tip_again, self.version[i], 0))
         self.look(i)
 
     def look(self, i: int) -> None:

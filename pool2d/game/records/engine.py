@@ -19,6 +19,7 @@ from ..._version import __version__
 # How balls roll and where they stand at first, by module or package within pool2d.
 ENGINE = (
     "physics",
+    "physics/cue",
     "physics/flight",
     "physics/laws",
     "table/table_knobs.py",

@@ -1,0 +1,1 @@
+"""The cue once it has struck."""
