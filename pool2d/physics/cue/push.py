@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from ..detect import NOISE
+
 if TYPE_CHECKING:
     from ..body import Body
     from ..flight.impact import Vector
@@ -38,9 +40,9 @@ def push(
         onward = speed - impulse * share / mass
         turned = _dot(line, n) * impulse / ball.mass
         parting = _dot(n, (ball.vx, ball.vy, ball.vz)) + turned - onward * _dot(cue, n)
-        if closing > 0.0 and parting >= 0.0:
+        if closing > 0.0 and parting >= -NOISE:
             _give(ball, n, line, impulse)
-            return onward, parting
+            return onward, max(0.0, parting)
     return speed, 0.0
 
 

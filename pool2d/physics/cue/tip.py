@@ -41,10 +41,10 @@ Stretch = tuple[float, float, float, float, float]
 class Tip:
     """The end of a cue that has struck a ball: a sphere on the line of the stroke.
 
-    Its centre is at (x, y, z) at the time `t`, and moves at `speed` along the unit vector (dx, dy, dz). The hand stops
-    it from the time `brake` on, and takes it away at `gone`; the cloth stops it before, at the height `low`. Where it
-    is still `held` to the ball, it can meet that only after the two have been apart: what presses the ball back on the
-    tip, as the slate does under a steep cue, is of the same contact. `hits` counts the contacts.
+    Its centre is at (x, y, z) at the time `t`, and moves at `speed` along the unit vector (dx, dy, dz). The hand brakes
+    it from the time `brake` on, and takes it away at `gone`, or the cloth ends its way before, at the height `low`.
+    Where it is still `held` to the ball, it can meet that only after the two have been apart: what presses the ball
+    back on the tip, as the slate does under a steep cue, is of the same contact. `hits` counts the contacts.
     """
 
     __slots__ = (
@@ -104,7 +104,7 @@ class Tip:
         self.t, self.speed = now, speed
 
     def _way(self) -> list[Stretch]:
-        """The stretches of its way from `t` on: free, braked by the hand, and where the cloth has stopped it."""
+        """The stretches of its way from `t` on, free and braked by the hand, to where the cloth ends it."""
         found: list[Stretch] = []
         room = (self.z - self.low) / -self.dz if self.dz < 0.0 else INF
         t, s, v = self.t, 0.0, self.speed
@@ -116,7 +116,6 @@ class Tip:
             down = falling_root(room - s, -v, -h) if room < INF else INF
             if down < span:
                 found.append((t, t + down, s, v, h))
-                found.append((t + down, self.gone, room, 0.0, 0.0))
                 break
             found.append((t, until, s, v, h))
             t, s, v = until, s + (v + h * span) * span, v + 2.0 * h * span

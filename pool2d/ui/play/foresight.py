@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from ...draw import guide
 from ...errors import BudgetError, InputError
+from ...physics.cue.tip import SWING, lasting
 from ...physics.rollout import Rollout
 from ...physics.simulate import simulate
 from ...physics.strike import miscue_limit
@@ -63,11 +64,21 @@ class Foresight:
             self._key, self._level = key, level
             bounces = guide.BOUNCES if shot.elevation > 0.0 else 0
             events = None if level == guide.WHOLE else guide.EVENTS + bounces
+            enough = guide.Enough(level, shot.ball)
+            # What the tip may do yet is foreseen too.
+            tip = lasting(SWING, table.knobs.cue.follow_through)
             try:
-                self._rollout = simulate(table, layout, shot, events=events, until=guide.Enough(level, shot.ball))
+                self._rollout = simulate(
+                    table, layout, shot, events=events, until=lambda event: enough(event) and event.t >= tip
+                )
             except (InputError, BudgetError):
                 self._rollout = None
         return self._rollout
+
+    def strikes_twice(self, table: Table, level: int, layout: Layout, shot: Shot) -> bool:
+        """Whether the tip would meet the ball again."""
+        rollout = self.rollout(table, level, layout, shot)
+        return rollout is not None and sum(event.kind == "cue_ball" for event in rollout.events) > 1
 
     def first_hit(self, table: Table, level: int, layout: Layout, shot: Shot) -> str:
         """The ball that a shot would meet first; empty where it meets none."""

@@ -74,9 +74,10 @@ def notes(state: PlayState, speed: float) -> str:
     off = off_target(state.words, state.calls, session, aimed) if state.show.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
     slips = state.words.say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
+    twice = state.words.say("play.double_hit_ahead") if state.strikes_twice(shot) else ""
     said = called(state.words, state.calls, session, aimed)
     raised = "" if session.in_hand else clearance_text.raised(state.words, state.clearance, session.layout)
-    return " ".join(filter(None, (said, off, slips, raised, hop_note(state, speed))))
+    return " ".join(filter(None, (said, off, slips, twice, raised, hop_note(state, speed))))
 
 
 def hop_note(state: PlayState, speed: float) -> str:

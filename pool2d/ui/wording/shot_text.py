@@ -7,7 +7,7 @@ from string import digits
 
 from ...physics.event import Event
 from ...physics.rollout import Rollout
-from ...physics.values import AIRBORNE, GONE, MISCUE, OFF, POCKETED, Ball, Layout
+from ...physics.values import AIRBORNE, GONE, MISCUE, OFF, POCKETED, PUSH, Ball, Layout
 from ...table.table import Table
 from .words import Words
 
@@ -31,6 +31,8 @@ def _told_as(event: Event) -> str:
     where = event.where or ""
     if event.kind == "rolling_resting" and any(ball.wz for ball in event.after.values()):
         return "spins_on"
+    if event.kind == "cue_ball" and event.t > 0.0:
+        return "cue_ball_push" if where == PUSH else "cue_ball_again"
     if event.kind == "cue_ball" and event.pairs:
         return "cue_ball_through"
     if event.kind == "ball_cushion" and where.endswith(_BACK):
