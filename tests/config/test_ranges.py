@@ -33,6 +33,7 @@ ALLOWED: dict[str, tuple[float, float]] = {
     "rail.width": (0.1, 0.5), "rail.height": (0, 0.05), "rail.restitution": (0, 0.95),
     "pocket.restitution": (0, 0.95), "pocket.friction": (0, 1),
     "cue.mass": (0.1, 2), "cue.end_mass": (0, 0.1), "cue.tip_restitution": (0, 1), "cue.tip_friction": (0.05, 10),
+    "cue.follow_through": (0, 1),
     "jump_cue.mass": (0.1, 2), "jump_cue.tip_restitution": (0, 1),
     "table.length": (0.5, 30), "table.width": (0.3, 20), "table.nose_radius": (0, 0.5),
     "corner.mouth": (0.04, 0.3), "corner.angle": (95, 170), "corner.shelf": (0, 0.1), "corner.jaw_radius": (0, 0.2),

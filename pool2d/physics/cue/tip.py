@@ -6,7 +6,8 @@ import math
 from typing import TYPE_CHECKING, Final, final
 
 from ..detect import SKIN, entering
-from ..roots import INF, falling_root, first_root
+from ..roots import INF, first_root
+from .hand import FREE, Stretch, lasting, way
 from .push import lines, push
 
 if TYPE_CHECKING:
@@ -21,20 +22,10 @@ ROUND: Final = 0.0064
 # A tip lets go of the ball after about 1.2 ms, when that has gone 0.92 mm for each m/s of the cue. A stroke is all at
 # once here: a ball has gone as far after so many seconds.
 ON: Final = 7e-4
-# For so much of its time the tip runs on freely; then the hand stops it, evenly.
-FREE: Final = 2.0 / 3.0
-# A cue that is faster than this after the hit, m/s, is followed through as far as an arm goes; a slower one for as long
-# as it takes at this speed.
-SWING: Final = 2.4
-# And one that is slower than this is stopped the sooner the slower it is: a hand can brake it well.
-EASED: Final = 0.5
 # Tip and ball that part more slowly than this stay together, m/s: a push.
 TOGETHER: Final = 0.02
 # A tip that has met the ball so often after the stroke has pushed it.
 OFTEN: Final = 12
-
-# Of the tip's way: from when until when, how far along it is at first, m, how fast, and half the acceleration.
-Stretch = tuple[float, float, float, float, float]
 
 
 @final
@@ -44,7 +35,8 @@ class Tip:
     Its centre is at (x, y, z) at the time `t`, and moves at `speed` along the unit vector (dx, dy, dz). The hand brakes
     it from the time `brake` on, and takes it away at `gone`, or the cloth ends its way before, at the height `low`.
     Where it is still `held` to the ball, it can meet that only after the two have been apart: what presses the ball
-    back on the tip, as the slate does under a steep cue, is of the same contact. `hits` counts the contacts.
+    back on the tip, as the slate does under a steep cue, is of the same contact. `hits` counts the contacts. It holds
+    more numbers than most classes: where it is and goes, and what it is of.
     """
 
     __slots__ = (
@@ -104,22 +96,8 @@ class Tip:
         self.t, self.speed = now, speed
 
     def _way(self) -> list[Stretch]:
-        """The stretches of its way from `t` on, free and braked by the hand, to where the cloth ends it."""
-        found: list[Stretch] = []
         room = (self.z - self.low) / -self.dz if self.dz < 0.0 else INF
-        t, s, v = self.t, 0.0, self.speed
-        for until in (self.brake, self.gone):
-            span = until - t
-            if span <= 0.0:
-                continue
-            h = -0.5 * v / span if until == self.gone else 0.0
-            down = falling_root(room - s, -v, -h) if room < INF else INF
-            if down < span:
-                found.append((t, t + down, s, v, h))
-                break
-            found.append((t, until, s, v, h))
-            t, s, v = until, s + (v + h * span) * span, v + 2.0 * h * span
-        return found
+        return way(self.t, self.speed, self.brake, self.gone, room)
 
     def _meeting(self, motion: Motion, stretch: Stretch, touch: float, first: float, last: float) -> float:
         """When it meets its ball within a stretch of its way: a quartic."""
@@ -145,8 +123,3 @@ class Tip:
         if self.held and c0 <= 2.0 * unit * SKIN:
             return first + first_root(min(c0, 0.0), c1, c2, c3, c4, span)
         return first + entering(c0, c1, c2, c3, c4, unit, span)
-
-
-def lasting(speed: float, follow_through: float) -> float:
-    """For how long a tip runs on that goes at `speed` after the hit, m/s, until the hand has stopped it, s."""
-    return follow_through / (FREE + 0.5 * (1.0 - FREE)) / max(speed, SWING) * min(1.0, speed / EASED)

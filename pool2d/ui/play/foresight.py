@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from ...draw import guide
 from ...errors import BudgetError, InputError
-from ...physics.cue.tip import SWING, lasting
+from ...physics.cue.hand import SWING, lasting
 from ...physics.rollout import Rollout
 from ...physics.simulate import simulate
 from ...physics.strike import miscue_limit
