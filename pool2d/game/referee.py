@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from ..physics.event import Event
 from ..physics.motion import Motion
 from ..physics.rollout import Rollout
-from ..physics.values import MISCUE, Ball
+from ..physics.values import MISCUE, PUSH, Ball
 from ..table.arrivals import FROZEN, Arrivals, pieces
 from ..table.table import Table
 from .jumps import jumps, scooped
@@ -150,7 +150,8 @@ class _Reader:
             yield "miscue"
         if scooped(self.rollout, self.cue):
             yield "scoop"
-        if any(last.t - hit.t <= TIP_TIME for hit, last in zip(hits, hits[2:], strict=False)):
+        stays = any(hit.where == PUSH for hit in hits)
+        if stays or any(last.t - hit.t <= TIP_TIME for hit, last in zip(hits, hits[2:], strict=False)):
             # Three in such a time: the tip has stayed with the ball.
             yield "push"
         elif len(hits) > 1:
