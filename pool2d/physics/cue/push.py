@@ -39,7 +39,7 @@ def push(
         impulse = (1.0 + restitution) * closing / ease
         onward = speed - impulse * share / mass
         turned = _dot(line, n) * impulse / ball.mass
-        parting = _dot(n, (ball.vx, ball.vy, ball.vz)) + turned - onward * _dot(cue, n)
+        parting = _dot(n, _moving(ball)) + turned - onward * _dot(cue, n)
         if closing > 0.0 and parting >= -NOISE:
             _give(ball, n, line, impulse)
             return onward, max(0.0, parting)
@@ -51,11 +51,11 @@ def _within(cue: Vector, n: Vector, cone: float) -> Vector:
     along = _dot(cue, n)
     if along >= math.cos(cone):
         return cue
-    across = (cue[0] - along * n[0], cue[1] - along * n[1], cue[2] - along * n[2])
+    across = _sum(1.0, cue, -along, n)
     size = math.sqrt(_dot(across, across))
     # Against the very end of the cue there is no such line.
     c, s = math.cos(cone), math.sin(cone) / size if size > 0.0 else 0.0
-    return c * n[0] + s * across[0], c * n[1] + s * across[1], c * n[2] + s * across[2]
+    return _sum(c, n, s, across)
 
 
 def _approach(
@@ -65,7 +65,7 @@ def _approach(
     share = _dot(cue, line)
     arm = _cross(n, line)
     # The ball's surface is at -R n from its centre.
-    surface = _dot((ball.vx, ball.vy, ball.vz), line) - ball.radius * _dot((ball.wx, ball.wy, ball.wz), arm)
+    surface = _dot(_moving(ball), line) - ball.radius * _dot(_turning(ball), arm)
     ease = (_dot(line, line) + 2.5 * _dot(arm, arm)) / ball.mass + share * share / mass
     return speed * share - surface, ease, share
 
@@ -88,3 +88,15 @@ def _dot(a: Vector, b: Vector) -> float:
 
 def _cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def _sum(p: float, a: Vector, q: float, b: Vector) -> Vector:
+    return p * a[0] + q * b[0], p * a[1] + q * b[1], p * a[2] + q * b[2]
+
+
+def _moving(ball: Body) -> Vector:
+    return ball.vx, ball.vy, ball.vz
+
+
+def _turning(ball: Body) -> Vector:
+    return ball.wx, ball.wy, ball.wz

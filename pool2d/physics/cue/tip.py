@@ -12,6 +12,7 @@ from .push import lines, push
 
 if TYPE_CHECKING:
     from ..body import Body
+    from ..flight.impact import Vector
     from ..motion import Motion
     from ..params import Cue
     from ..strike import TipImpulse
@@ -74,14 +75,17 @@ class Tip:
     def strike(self, ball: Body, now: float) -> bool:
         """Let it strike its ball, which it has met; whether the two part."""
         self._bring(now)
-        x, y, z = ball.x - self.x, ball.y - self.y, ball.z + ball.radius - self.z
-        size = math.sqrt(x * x + y * y + z * z)
-        n = (x / size, y / size, z / size)
+        n = self._toward(ball)
         cue = (self.dx, self.dy, self.dz)
         self.speed, parting = push(ball, n, cue, self.speed, self.mass, self.restitution, self.cone)
         self.held = True
         self.hits += 1
         return parting >= TOGETHER and self.hits < OFTEN
+
+    def _toward(self, ball: Body) -> Vector:
+        x, y, z = ball.x - self.x, ball.y - self.y, ball.z + ball.radius - self.z
+        size = math.sqrt(x * x + y * y + z * z)
+        return x / size, y / size, z / size
 
     def _bring(self, now: float) -> None:
         """Go on to the present moment."""

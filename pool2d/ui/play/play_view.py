@@ -15,6 +15,7 @@ from ...game.aim import Aim
 from ...game.rules import AIM, CHOOSE
 from ...game.rules.spotting import KITCHEN, D
 from ...physics.strike import miscue_limit
+from ...physics.values import Shot
 from ...table.flights import flies
 from ..frame import Frame
 from ..stage import bars, scoreboard
@@ -74,10 +75,16 @@ def notes(state: PlayState, speed: float) -> str:
     off = off_target(state.words, state.calls, session, aimed) if state.show.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
     slips = state.words.say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
-    twice = state.words.say("play.double_hit_ahead") if state.strikes_twice(shot) else ""
+    twice = state.words.say("play.double_hit_ahead") if strikes_twice(state, shot) else ""
     said = called(state.words, state.calls, session, aimed)
     raised = "" if session.in_hand else clearance_text.raised(state.words, state.clearance, session.layout)
     return " ".join(filter(None, (said, off, slips, twice, raised, hop_note(state, speed))))
+
+
+def strikes_twice(state: PlayState, shot: Shot) -> bool:
+    """Whether the guide, where it is shown, foresees that the tip would meet the ball again."""
+    level, session = state.show.level, state.session
+    return level > 0 and state.foresight.strikes_twice(session.table, level, session.layout, shot)
 
 
 def hop_note(state: PlayState, speed: float) -> str:

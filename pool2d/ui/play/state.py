@@ -122,11 +122,6 @@ class PlayState:
         """The ball that a shot would meet first; empty where it meets none."""
         return self.foresight.first_hit(self.session.table, self.show.level, self.session.layout, shot)
 
-    def strikes_twice(self, shot: Shot) -> bool:
-        """Whether the guide, where it is shown, foresees that the tip would meet the ball again."""
-        show, session = self.show, self.session
-        return show.level > 0 and self.foresight.strikes_twice(session.table, show.level, session.layout, shot)
-
     def go_to(self, wish: Scene | Wish) -> None:
         """Have another scene come as soon as the event that is being taken is done with."""
         self.wish = wish
