@@ -143,7 +143,7 @@ class World:
         if old.phase == AIRBORNE:
             self.come_down(body, old)
             return
-        motion = finish(old, body, self.cloth)
+        motion = old if old.aloft() and old.stays() else finish(old, body, self.cloth)
         if body.z != 0.0 and motion.stays():
             # At rest on a rail's top it is off the table.
             self.record("ball_off", self.bed.ground.beside(body.x, body.y), [body], [off(body, self.now)])
@@ -238,7 +238,9 @@ class World:
         motion = self.crowd.motion[i]
         if motion.phase == POCKETED or motion.phase == OFF:
             return
-        if motion.aloft():
+        if motion.aloft() and motion.stays():
+            heappush(self.queue, (self.now, i, -1, self.version[i], 0))
+        elif motion.aloft():
             self.meet_solids(motion, self.crowd.bodies[i].radius)
         elif not motion.stays():
             self.meet_table(motion, self.crowd.bodies[i].reach)

@@ -76,13 +76,13 @@ class Ground:
         s = falling_root(body.z - self.high, body.vz, hz)
         if 0.0 <= s < INF and self.on_rail(body.x + body.vx * s, body.y + body.vy * s):
             return s, self.high
-        if body.z >= 0.0:
-            s = max(0.0, falling_root(body.z, body.vz, hz))
-            # A ball that has just rolled over a hole's edge is at the height of the cloth and does not rise.
-            pocket = self.hole(body.x + body.vx * s, body.y + body.vy * s) if s < INF else None
-            if s < INF and pocket is None:
+        s = falling_root(body.z, body.vz, hz)
+        # A ball that rolls over a hole's edge, or does not come up out of it again, is in the air down to its bottom.
+        if 0.0 <= s < INF:
+            pocket = self.hole(body.x + body.vx * s, body.y + body.vy * s)
+            if pocket is None:
                 return s, 0.0
-            if pocket is not None and is_tight(pocket, body):
+            if is_tight(pocket, body):
                 return s, -body.radius
         return max(0.0, falling_root(body.z + body.radius, body.vz, hz)), -body.radius
 
