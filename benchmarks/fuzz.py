@@ -104,7 +104,7 @@ def freeze(table: Table, ball: Ball, layout: Layout, rng: random.Random) -> Ball
     """The ball sent on until it touches something, unless that is a pocket."""
     way = math.radians(toward(ball, layout, rng))
     dx, dy = math.cos(way), math.sin(way)
-    distance, what = table.cast(ball.x, ball.y, dx, dy, layout, ball.radius, ball.id)
+    distance, what = table.cast(ball.x, ball.y, dx, dy, layout, table.body_of(ball)[0], ball.id)
     if what is None or any(pocket.name == what for pocket in table.geometry.pockets):
         return ball
     return ball._replace(x=ball.x + dx * distance, y=ball.y + dy * distance)
@@ -197,7 +197,8 @@ def misplaced(table: Table, ball: Ball, x: Floats, y: Floats, z: Floats) -> Iter
     for px, py, pz in zip(x[beyond].tolist(), y[beyond].tolist(), z[beyond].tolist(), strict=True):
         if pz != 0.0:
             room, what = table.bed.room(px, py, pz, radius)
-            if room < -NANOMETRE:
+            # A pocket's back gives way to what comes round to it from beneath the slate's edge.
+            if room < -NANOMETRE and not what.endswith(" back"):
                 yield f"{ball.id} is {-room:.3g} m inside {what}, {pz} m high"
             continue
         gap, element = table.element_gap(px, py, radius)

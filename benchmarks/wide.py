@@ -90,7 +90,7 @@ def _strewn(table: Table, rng: random.Random) -> Layout:
 def _frozen(table: Table, ball: Ball, layout: Layout, rng: random.Random) -> Ball:
     way = rng.uniform(-math.pi, math.pi)
     dx, dy = math.cos(way), math.sin(way)
-    distance, what = table.cast(ball.x, ball.y, dx, dy, layout, ball.radius, ball.id)
+    distance, what = table.cast(ball.x, ball.y, dx, dy, layout, table.body_of(ball)[0], ball.id)
     if what is None or any(pocket.name == what for pocket in table.geometry.pockets):
         return ball
     return ball._replace(x=ball.x + dx * distance, y=ball.y + dy * distance)
