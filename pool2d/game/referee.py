@@ -190,11 +190,11 @@ class _Reader:
 
     def jammed(self) -> Iterator[str]:
         """The cushions that the cue ball lay on and was shot into."""
-        for event in self.rollout.events:
-            if event.t <= TIP_TIME:
-                yield from (
-                    rail for ball, rail in event.rails if (ball, rail) in self.frozen_at_start and ball == self.cue
-                )
+        met = [pair for event in self.rollout.events if event.t <= TIP_TIME for pair in event.rails]
+        # A tip that is still on the ball drives it into its cushion more than once.
+        for ball, rail in dict.fromkeys(met):
+            if (ball, rail) in self.frozen_at_start and ball == self.cue:
+                yield rail
 
     def strayed(self) -> Iterator[str]:
         """The object balls that stood in a corner and left it."""

@@ -74,7 +74,7 @@ class Cue:
     end_mass: float = knob(0.0085, 0.0, 0.1, "kg", "mass of the shaft's end that moves aside: squirt; 0 is none")
     tip_restitution: float = knob(0.73, 0.0, 1.0, "", "restitution of the tip: leather 0.71-0.75, phenolic 0.81-0.87")
     tip_friction: float = knob(0.6, 0.05, 10.0, "", "friction of the chalked tip: sets where a miscue begins")
-    follow_through: float = knob(0.3, 0.0, 1.0, "m", "how far the tip runs on after a hard hit; 0 is gone at once")
+    follow_through: float = knob(0.2, 0.0, 1.0, "m", "how far the tip runs on after a hard hit; 0 is gone at once")
 
 
 @dataclass(frozen=True, slots=True)

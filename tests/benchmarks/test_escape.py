@@ -1,4 +1,4 @@
-"""No ball gets off any table; `python -m benchmarks.escape` plays many more."""
+"""No ball on the cloth gets off any table; `python -m benchmarks.escape` plays many more."""
 
 from __future__ import annotations
 

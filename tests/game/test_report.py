@@ -147,7 +147,7 @@ def test_a_tip_that_runs_on_strikes_the_ball_again(gap: float) -> None:
 
 
 def test_a_tip_that_stays_with_the_ball_pushes_it() -> None:
-    assert seen(Ball("cue", 0.5, 0.635), Ball("1", 0.5001 + 2.0 * RADIUS, 0.635), speed=0.04).stroke == ("push",)
+    assert seen(Ball("cue", 0.5, 0.635), Ball("1", 0.5001 + 2.0 * RADIUS, 0.635), speed=0.05).stroke == ("push",)
 
 
 @pytest.mark.parametrize("gap", [0.0, 3e-5])

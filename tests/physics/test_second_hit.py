@@ -93,7 +93,7 @@ def test_a_ball_with_nothing_near_it_is_struck_once(elevation: float, height: fl
 
 
 def test_a_tip_that_stays_with_the_ball_pushes_it() -> None:
-    second = hits(simulate(TABLE, layout(0.0001), Shot(speed=0.04)))[1]
+    second = hits(simulate(TABLE, layout(0.0001), Shot(speed=0.05)))[1]
     assert second.where == PUSH
 
 

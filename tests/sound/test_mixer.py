@@ -256,16 +256,18 @@ def test_a_stroke_is_heard_at_once_and_m_mutes(hand: Hand, monkeypatch: pytest.M
     for _ in range(16):
         # The cue comes forward first.
         hand.app.step(FRAME)
-    assert [sound.kind for sound in played] == ["cue"]
-    assert len(started) == 1
+    # The butt is over the rail, so the ball hops a little.
+    assert [sound.kind for sound in played] == ["cue", *["slate"] * (len(played) - 1)]
+    heard = len(started)
+    assert heard == len(played)
     hand.key(pygame.K_m)
     assert hand.app.toasts.notes[-1].words.startswith("Sound is off")
     assert not playing()
     hand.wait_for_rest()
-    assert len(played) > 1 and len(started) == 1
+    assert len(played) > heard == len(started)
     hand.key(pygame.K_m)
     assert hand.app.toasts.notes[-1].words == "Sound is on."
-    assert len(started) == 2
+    assert len(started) == heard + 1
 
 
 def test_after_a_miscue_the_tip_is_chalked(hand: Hand, started: Started) -> None:

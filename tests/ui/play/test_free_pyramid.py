@@ -73,7 +73,8 @@ def test_the_ball_taken_is_aimed_struck_and_recorded(hand: Hand) -> None:
     ball = session.layout["5"]
     hand.point(ball.x - 0.6, ball.y + 0.5)
     assert hand.play.state.hands.aim.angle == pytest.approx(140.2, abs=1.0)
-    assert play_view.notes(hand.play.state, 2.0).startswith("35 degrees, over the 1."), "and nothing of a call"
+    assert "35 degrees, over the 1." in play_view.notes(hand.play.state, 2.0)
+    assert "call" not in play_view.notes(hand.play.state, 2.0)
     hand.press()
     hand.pull(100.0)
     hand.release()
