@@ -73,7 +73,10 @@ def play(name: str, seed: int, strokes: int = STROKES) -> Result:
     result.faults += faults(rules, ruling)
     # A table that is cleared in practice stays so.
     while (
-        ruling.ask.kind != OVER and result.strokes < strokes and not result.faults and len(ruling.layout.on_table()) > 1
+        ruling.ask.kind != OVER
+        and result.strokes < strokes
+        and not result.faults
+        and any(ball.id != table.furniture.cue for ball in ruling.layout.on_table())
     ):
         ask, state, layout = ruling.ask, ruling.state, ruling.layout
         if ask.kind == AIM:

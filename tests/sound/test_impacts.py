@@ -101,21 +101,15 @@ def test_nothing_is_heard_where_time_stands_runs_backward_or_jumps() -> None:
     assert not impacts(rollout, -0.5, rollout.duration)
 
 
-class At:
-    """A motion that says of a ball just this."""
-
-    def __init__(self, ball: Ball) -> None:
-        self.id = ball.id
-        self.ball = ball
-
-    def at(self, t: float) -> Ball:
-        return self.ball
+def lasting(ball: Ball) -> Motion:
+    """A motion that says of a ball just this, after 1 s."""
+    return Motion(Body(ball, 0, 0.028575, 0.17), ball.phase, 1.0, 1.0)
 
 
 def one(kind: EventKind, before: Ball, where: str | None = None, after: Ball | None = None) -> Rollout:
     """A shot in which nothing else happens than this, after 1 s."""
-    old, new = At(before), At(after or before)
-    event = Event(1.0, kind, where, [old], [new])  # type: ignore[list-item]
+    old, new = lasting(before), lasting(after or before)
+    event = Event(1.0, kind, where, [old], [new])
     rest = Motion(Body(before, 0, 0.028575, 0.17), "resting", 0.0, math.inf)
     return Rollout(Layout([before]), {before.id: [rest]}, [event], truncated=False)
 
@@ -151,8 +145,8 @@ def test_a_ball_that_a_hand_takes_off_a_rail_falls_on_no_floor() -> None:
 
 def test_balls_that_meet_in_the_air_are_as_hard_as_their_approach_there() -> None:
     high = Ball("cue", 0.6, 0.6, vz=-2.0, z=0.057)
-    event = Event(1.0, "ball_ball", None, [At(high), At(Ball("1", 0.6, 0.6))],  # type: ignore[list-item]
-                  [At(high._replace(vz=0.9)), At(Ball("1", 0.6, 0.6))], (("cue", "1"),))  # type: ignore[list-item]  # fmt: skip
+    event = Event(1.0, "ball_ball", None, [lasting(high), lasting(Ball("1", 0.6, 0.6))],
+                  [lasting(high._replace(vz=0.9)), lasting(Ball("1", 0.6, 0.6))], (("cue", "1"),))  # fmt: skip
     (sound,) = impacts(Rollout(Layout([high]), {}, [event], truncated=False), 0.9, 1.1)
     assert sound.kind == "ball"
     assert sound.speed == pytest.approx(2.0)
