@@ -78,10 +78,9 @@ class StraightNose(Solid):
         if self.high > self.low:
             first = min(first, self._edge(motion, c0, c1, radius, self.high, end))
             t = falling_root(c0 - radius + AIR_SKIN, c1, 0.0)
-            if 0.0 <= t < min(end, first) and self.low < _centre(motion, radius, t) < self.high:
-                first = t
-        along = (px + motion.vx * first) * self.dx + (py + motion.vy * first) * self.dy if first < INF else INF
-        return first if -SKIN <= along <= self.length + SKIN else INF
+            if 0.0 <= t < min(end, first) and self._is_beside(motion, t):
+                first = t if self.low < _centre(motion, radius, t) < self.high else first
+        return first
 
     def _edge(self, motion: Motion, c0: float, c1: float, radius: float, height: float, end: float) -> float:
         """When a ball meets the level line at a height, on the side away from the face."""
@@ -89,17 +88,23 @@ class StraightNose(Solid):
         # On the cloth the depth of a contact is counted in plan: at the same height it is this much less.
         reach = math.sqrt(max(0.0, height * (2.0 * radius - height))) / radius
         touch = radius - AIR_SKIN * max(reach, 0.01)
-        q0, q1 = c0 * c0 + w0 * w0 - touch * touch, 2.0 * (c0 * c1 + w0 * w1)
-        q2, q3, q4 = c1 * c1 + w1 * w1 + 2.0 * w0 * w2, 2.0 * w1 * w2, w2 * w2
-        # Beyond its ends a ball may be far within the line of a nose, and comes to the nose only from without.
-        if q0 < -2.0 * touch * SKIN:
-            t = first_root(q0, q1, q2, q3, q4, end)
-        else:
-            t = entering(q0, q1, q2, q3, q4, 2.0 * touch, end)
-        if t == INF or self.low == self.high:
-            return t
-        centre = _centre(motion, radius, t)
-        return t if (centre <= self.low if height == self.low else centre >= self.high) else INF
+        t = 0.0
+        # It may come into the line beyond its ends, out of it again as it rises, and then into the nose itself: twice
+        # at the most, as a quartic falls through zero.
+        for _ in range(2):
+            t += _entering_line(c0 + c1 * t, c1, w0 + (w1 + w2 * t) * t, w1 + 2.0 * w2 * t, w2, touch, end - t, t > 0.0)
+            if t == INF or (self._is_beside(motion, t) and self._is_met(_centre(motion, radius, t), height)):
+                return t
+        return INF
+
+    def _is_beside(self, motion: Motion, t: float) -> bool:
+        """Whether a ball is between the ends, some time after the start of its motion."""
+        x, y = motion.x + motion.vx * t - self.ax, motion.y + motion.vy * t - self.ay
+        return -SKIN <= x * self.dx + y * self.dy <= self.length + SKIN
+
+    def _is_met(self, centre: float, height: float) -> bool:
+        """Whether a ball with its centre so high meets the edge at a height, and not the face between the two."""
+        return self.low == self.high or (centre <= self.low if height == self.low else centre >= self.high)
 
     def normal(self, x: float, y: float, centre: float) -> Vector:
         c = self.dx * (y - self.ay) - self.dy * (x - self.ax)
@@ -182,6 +187,21 @@ class Boundary(Solid):
             return INF
         along = (px + (motion.vx + motion.hx * t) * t) * self.dx + (py + (motion.vy + motion.hy * t) * t) * self.dy
         return t if -SKIN <= along <= self.length + SKIN else INF
+
+
+def _entering_line(
+    c0: float, c1: float, w0: float, w1: float, w2: float, touch: float, end: float, again: bool
+) -> float:
+    """When a ball that is c0 + c1 t beside a level line and w0 + w1 t + w2 t^2 above it comes as near as `touch`.
+
+    Beyond its ends a ball may be far within the line of a nose already, or has just come there (`again`): then only
+    from without.
+    """
+    q0, q1 = c0 * c0 + w0 * w0 - touch * touch, 2.0 * (c0 * c1 + w0 * w1)
+    q2, q3, q4 = c1 * c1 + w1 * w1 + 2.0 * w0 * w2, 2.0 * w1 * w2, w2 * w2
+    if again or q0 < -2.0 * touch * SKIN:
+        return first_root(min(q0, 0.0), q1, q2, q3, q4, end)
+    return entering(q0, q1, q2, q3, q4, 2.0 * touch, end)
 
 
 def _centre(motion: Motion, radius: float, t: float) -> float:

@@ -57,6 +57,19 @@ def test_no_contact_is_missed(
         assert gap(t) == pytest.approx(0.0, abs=1e-9)
 
 
+def test_a_nose_is_met_by_what_has_been_in_its_line_beyond_its_end() -> None:
+    """A ball that hops out of a pocket's mouth, over the line of a nose, and comes down on the nose itself.
+
+    Once only the first time that a ball came into the line was looked at: these went through the nose.
+    """
+    table = load_table("l-shape")
+    roll = simulate(
+        table, Layout([Ball("1", 1.2904635588, 0.0296875465, vx=-1.3259731643, vy=-0.2705427469, vz=0.8351698367)])
+    )
+    assert_sound(table, roll)
+    assert (roll.events[0].kind, roll.events[0].where) == ("ball_cushion", "bottom-left")
+
+
 def flown(table_name: str = "pool-9ft", **ball: Any) -> Rollout:
     table = {"pool-9ft": POOL, "carom-10ft": CAROM}[table_name]
     roll = simulate(table, Layout([Ball(**{"id": "cue", **ball})]))
