@@ -13,7 +13,7 @@ from ..config.settings import GUIDES
 from ..physics.event import Event
 from ..physics.rollout import Rollout
 from ..physics.values import AIRBORNE, GONE, OFF, POCKETED, ROLLING, SLIDING, Ball, EventKind, Phase
-from ..table.flights import Cleared
+from ..table.flights import FEW, Cleared
 from ..table.furniture import Look
 from ..table.table import Table
 from . import pen, text, theme
@@ -143,10 +143,14 @@ def draw(
         drawn.append((theme.GUIDE_CUE, guide.after_ways, 1.8 * scale))
         drawn.append((theme.GUIDE_BALL, guide.object_ways, 2.4 * scale))
     _ways(surface, drawn, view)
+    least = min((cleared.gap for _, cleared in over), default=0.0)
     for ball, cleared in over:
         x, y = view.to_screen(ball.x, ball.y)
         radius = table.body_of(ball)[0] * view.scale
         pen.ring(surface, theme.GUIDE_AIR, (x, y), radius + 2.0 * scale, 1.4 * scale)
+        # Of many, as of a rack, the figures would lie upon each other.
+        if len(over) > FEW and cleared.gap > least:
+            continue
         told = f"{1000.0 * cleared.gap:.0f} mm"
         text.draw(surface, told, round(_SMALL * scale), theme.GUIDE_AIR, (x, y - radius - 4.0 * scale), (0.5, 1.0))
     if guide.ghost is None or level < GHOST:

@@ -66,9 +66,11 @@ class World:
         if body is None:
             raise InputError("shot", "shot.ball", shot.ball, "not a ball on the table")
         if shot.speed > 0.0:
+            lay = self.bed.lies(body)
             stroke = strike(body, shot, self.physics.cue)
             met = self.contacts.struck(body, stroke)
-            self.bed.answer(body)
+            if lay:
+                self.bed.answer(body)
             if stroke.onward > 0.0 and self.physics.cue.follow_through > 0.0 and not shot.easy:
                 self.tip = Tip(body, shot, stroke, self.physics.cue)
             others = [other for other in met.bodies() if other.index != body.index]

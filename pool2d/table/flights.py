@@ -15,6 +15,8 @@ from .table import Table
 # interval about the nearest of them is narrowed to two thirds.
 _PARTS: Final = 4.0
 _NARROWED: Final = 40
+# Of more balls that are jumped only the one that is cleared by the least is told.
+FEW: Final = 2
 
 
 class Flight(NamedTuple):

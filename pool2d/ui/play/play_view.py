@@ -75,10 +75,17 @@ def notes(state: PlayState, speed: float) -> str:
     off = off_target(state.words, state.calls, session, aimed) if state.show.level else ""
     limit = miscue_limit(session.table.knobs.cue.tip_friction)
     slips = state.words.say("play.miscue_ahead") if math.hypot(shot.side, shot.height) > limit else ""
-    twice = state.words.say("play.double_hit_ahead") if strikes_twice(state, shot) else ""
     said = called(state.words, state.calls, session, aimed)
-    raised = "" if session.in_hand else clearance_text.raised(state.words, state.clearance, session.layout)
-    return " ".join(filter(None, (said, off, slips, twice, raised, hop_note(state, speed))))
+    return " ".join(filter(None, (said, off, slips, *_stroke_notes(state, shot))))
+
+
+def _stroke_notes(state: PlayState, shot: Shot) -> list[str]:
+    """What comes of where the cue ball lies: nothing is said while that is yet to be put down."""
+    session = state.session
+    if state.held is not None:
+        return []
+    twice = state.words.say("play.double_hit_ahead") if strikes_twice(state, shot) else ""
+    return [twice, clearance_text.raised(state.words, state.clearance, session.layout), hop_note(state, shot.speed)]
 
 
 def strikes_twice(state: PlayState, shot: Shot) -> bool:

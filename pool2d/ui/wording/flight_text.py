@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...physics.rollout import Rollout
 from ...physics.strike import hop
 from ...physics.values import Shot
-from ...table.flights import jumped
+from ...table.flights import FEW, Cleared, jumped
 from ...table.table import Table
 from .shot_text import ball_name, height_of, millimetres
 from .words import Words
@@ -26,10 +28,18 @@ def aimed(words: Words, table: Table, shot: Shot, mass: float, foreseen: Rollout
     if apex < _TOLD and not over:
         return ""
     said = [words.say("flight.hop", height=millimetres(words, apex), length=f"{words.number(way, '.2f')} m")]
-    for one in over:
-        name = ball_name(words, one.ball, shot.ball)
-        said.append(words.say("flight.over", ball=name, gap=millimetres(words, one.gap)))
+    said += _over(words, over, shot.ball)
     return " ".join([*said, *([] if foreseen is None else _met(words, foreseen, shot.ball))])
+
+
+def _over(words: Words, over: Sequence[Cleared], cue: str) -> list[str]:
+    """What is jumped, by how much: of many the one that is cleared by the least."""
+    if len(over) > FEW:
+        least = min(over, key=lambda one: one.gap)
+        name = ball_name(words, least.ball, cue)
+        return [words.say("flight.over_many", count=len(over), ball=name, gap=millimetres(words, least.gap))]
+    named = [(ball_name(words, one.ball, cue), millimetres(words, one.gap)) for one in over]
+    return [words.say("flight.over", ball=name, gap=gap) for name, gap in named]
 
 
 def _met(words: Words, foreseen: Rollout, cue: str) -> list[str]:

@@ -186,3 +186,10 @@ def test_where_a_ball_in_the_air_may_not_begin(ball: Ball, what: str) -> None:
     with pytest.raises(InputError, match=r"balls\.2") as caught:
         simulate(POOL, Layout([Ball("1", 1.0, 0.6), ball]))
     assert what in str(caught.value)
+
+
+def test_a_ball_that_is_struck_in_the_air_has_no_slate_under_it() -> None:
+    """Its downward speed was once given back in mid-air."""
+    event = simulate(POOL, Layout([Ball("cue", 0.6, 0.6, z=0.2)]), Shot(speed=2.0, elevation=40.0)).events[0]
+    assert (event.kind, event.after["cue"].z) == ("cue_ball", 0.2)
+    assert event.after["cue"].vz < -1.0

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pygame
 import pytest
 
 from pool2d.game.rules import AIM
 from pool2d.game.session import Session, placing
+from pool2d.ui.play.play_view import notes
 
 from ..at_match import in_hand
 from ..conftest import Hand
@@ -52,6 +55,18 @@ def test_it_lies_where_it_lay_until_the_pointer_moves_and_then_follows_it(given:
     given.pull(100)
     given.release()
     assert given.play.state.session.match.now.action is not None and not placed(given.play.state.session)
+
+
+def test_of_the_stroke_nothing_is_told_until_the_ball_is_put_down(given: Hand) -> None:
+    """Where it lay it was said to need a raised butt, though nobody would strike it there."""
+    state = given.play.state
+    given.point(0.04, 0.5)
+    state.hands.aim = replace(state.hands.aim, angle=0.0)
+    assert state.clearance.over == "15" and "degrees" not in notes(state, 3.0)
+    given.press()
+    given.release()
+    state.hands.aim = replace(state.hands.aim, angle=0.0)
+    assert "degrees, over the left cushion" in notes(state, 3.0)
 
 
 def test_esc_leaves_it_where_it_lies_and_it_does_not_come_back(given: Hand) -> None:

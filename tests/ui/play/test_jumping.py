@@ -163,3 +163,12 @@ def test_the_drills_for_jumping_need_their_jump() -> None:
         drill = load_drill(name)
         assert drill.steps[0].over and drill.solution[0].elevation > 20.0
         assert set(drill.steps[0].over) < set(Layout(drill.layout.values()))
+
+
+def test_of_many_balls_that_are_jumped_the_nearest_is_told(hand: Hand) -> None:
+    """A rack's worth of them once filled three lines, and their figures lay upon each other."""
+    row = [Ball(str(i), 1.0 + 0.058 * i, 0.635) for i in range(1, 6)]
+    hand.set_balls(CUE, *row)
+    aim(hand, 6.0, 35.0, angle=0.0)
+    said = hop_note(hand.play.state, 6.0)
+    assert said.count("Over") == 1 and "Over 5 balls, the " in said
