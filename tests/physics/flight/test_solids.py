@@ -162,7 +162,7 @@ def test_strokes_with_a_raised_butt_are_sound(seed: int) -> None:
 
 
 def test_mirrored_flights_mirror() -> None:
-    """To the bit, as all that is done to y is done to its mirror image."""
+    """As far as width - y keeps the digits of y."""
     width = CAROM.knobs.table.width
     one = [Ball("cue", 0.5, 0.5, vx=3.0, vy=1.0, z=0.05, vz=0.5, wx=30.0), Ball("1", 0.9, 0.64)]
     two = [b._replace(y=width - b.y, vy=-b.vy, wx=-b.wx, wz=-b.wz) for b in one]
@@ -170,6 +170,10 @@ def test_mirrored_flights_mirror() -> None:
     for first, second in zip(a.events, b.events, strict=True):
         assert first.kind == second.kind
         assert first.t == pytest.approx(second.t, abs=1e-9)
+        for name, ball in first.after.items():
+            other = second.after[name]
+            assert (other.x, other.y, other.z) == pytest.approx((ball.x, width - ball.y, ball.z), abs=1e-9)
+            assert (other.vx, other.vy, other.vz) == pytest.approx((ball.vx, -ball.vy, ball.vz), abs=1e-7)
 
 
 @pytest.mark.parametrize(
