@@ -197,3 +197,52 @@ def test_a_ball_that_is_struck_in_the_air_has_no_slate_under_it() -> None:
     event = simulate(POOL, Layout([Ball("cue", 0.6, 0.6, z=0.2)]), Shot(speed=2.0, elevation=40.0)).events[0]
     assert (event.kind, event.after["cue"].z) == ("cue_ball", 0.2)
     assert event.after["cue"].vz < -1.0
+
+
+def test_a_raised_rail_has_an_upright_face() -> None:
+    """A centre between the nose and the rail's top meets it a radius away, as a wall."""
+    table = POOL.with_knobs({"rail.height": 0.03})
+    event = simulate(table, Layout([Ball("cue", 2.3, 0.4, vx=8.0, z=0.025)])).events[0]
+    assert (event.kind, event.where) == ("ball_cushion", "right")
+    assert event.after["cue"].x == pytest.approx(2.54 - R, abs=1e-9)
+    assert event.after["cue"].vx == pytest.approx(-8.0 * table.knobs.cushion.restitution, rel=1e-9)
+
+
+def test_a_ball_above_two_that_meet_is_none_of_them() -> None:
+    balls = [Ball("cue", 0.5, 0.6, vx=2.0), Ball("1", 0.6, 0.6), Ball("2", 0.61, 0.6, z=0.3)]
+    event = simulate(POOL, Layout(balls)).events[0]
+    assert (event.kind, event.pairs) == ("ball_ball", (("1", "cue"),))
+
+
+@pytest.mark.parametrize(("speed", "rim"), [(0.4, True), (4.0, False)])
+def test_a_slow_ball_is_in_the_pocket_at_its_rim_whatever_the_back(speed: float, rim: bool) -> None:
+    """Below the root of g R it rolls off the edge."""
+    table, pocket = POOL.with_knobs({"pocket.friction": 0.2}), POOL.geometry.pockets[0]
+    v = -speed * math.sqrt(0.5)
+    ball = Ball("cue", pocket.x + 0.05, pocket.y + 0.05, vx=v, vy=v, wx=-v / R, wy=v / R)
+    event = next(e for e in simulate(table, Layout([ball])).events if e.kind == "ball_pocket")
+    at = event.before["cue"]
+    assert (math.dist((at.x, at.y), (pocket.x, pocket.y)) == pytest.approx(pocket.radius, abs=1e-9)) == rim
+
+
+def test_what_a_hole_has_hardly_room_for_is_in_once_it_is_over_it() -> None:
+    pocket = POOL.geometry.pockets[0]
+    for radius, fall in ((0.05, 0.1), (R, 0.1 + R)):
+        ball = Body(Ball("big", pocket.x, pocket.y, z=0.1), 0, radius, 0.17)
+        expected = (math.sqrt(2.0 * fall / 9.81), -radius)
+        assert POOL.bed.ground.landing(ball, POOL.bed.hz) == pytest.approx(expected, rel=1e-9)
+
+
+def test_on_the_rail_a_ball_falls_into_a_pocket_only_where_it_is_open() -> None:
+    """Beside the facings the rail covers the hole; a ball that rolled there once sank into it."""
+    table = load_table("pool-7ft")
+    ball = Ball("cue", 1.83709, -0.0428, vx=0.46818, vy=-0.09058, wx=0.09058 / R, wy=0.46818 / R, z=NOSE)
+    assert_sound(table, simulate(table, Layout([ball])))
+
+
+def test_round_the_back_of_a_pocket_a_ball_hops_a_few_times() -> None:
+    pocket = next(pocket for pocket in POOL.geometry.pockets if pocket.name == "bottom-side")
+    far, v = (pocket.radius - R - 1e-4) * math.sqrt(0.5), 3.0 * math.sqrt(0.5)
+    ball = Ball("cue", pocket.x - far, pocket.y - far, vx=v, vy=-v, z=0.02)
+    told = [event.where for event in simulate(POOL, Layout([ball])).events]
+    assert 3 < told.count("bottom-side back") < 40
