@@ -22,6 +22,7 @@ FLOORS = (
     ("pool2d.fit",),
     ("pool2d.game.rules",),
     ("pool2d.game",),
+    ("pool2d.opponent",),
     ("pool2d.sound", "pool2d.draw"),
     ("pool2d.ui.wording",),
     ("pool2d.ui", "pool2d.ui.frame", "pool2d.ui.scene", "pool2d.ui.screen"),
@@ -46,7 +47,7 @@ GUESTS = {
     "pyarrow": ("pool2d.study.parquet",),
     "distributed": ("pool2d.commands.study",),
     "scipy": ("pool2d.fit",),
-    "numpy": ("pool2d.study", "pool2d.fit", "pool2d.sound", "pool2d.draw", "pool2d.ui"),
+    "numpy": ("pool2d.study", "pool2d.fit", "pool2d.opponent", "pool2d.sound", "pool2d.draw", "pool2d.ui"),
 }
 
 

@@ -12,11 +12,10 @@ from typing import Any
 
 from ..errors import InputError, suggest
 from ..physics.rollout import Rollout
-from ..physics.simulate import simulate
-from ..physics.values import OFF, Layout
+from ..physics.values import Layout
 from ..table.table import Table
 from .actions import Action, Arrange, Concede, NextFrame, Stalemate, Stroke
-from .referee import observe
+from .judging import judged
 from .rules import AIM, OVER, Ask, Choice, Rules, Ruling, State, game
 from .rules.lag import Lag, LagState
 from .rules.pool.pool import PoolRules
@@ -184,7 +183,7 @@ class Match:
 
     def _after(self, action: Action) -> Moment:
         now = self.now
-        state, layout, rules = now.state, now.layout, self._judge
+        state, layout, rules = now.state, now.layout, self.judge
         if isinstance(action, NextFrame):
             return self._next_frame()
         if state.over:
@@ -216,9 +215,7 @@ class Match:
             allowed = f"allowed is {', '.join(ask.cues) or ask.ball}"
             raise InputError("match", "shot.ball", stroke.shot.ball, allowed)
         _check_call(stroke.call, ask, self.table)
-        rollout = simulate(self.table, now.layout, stroke.shot)
-        report = observe(self.table, rollout, stroke.call, stroke.shot.ball, stroke.shot.easy)
-        ruling = self._judge.judge(now.state, _after(rollout), report)
+        rollout, report, ruling = judged(self.judge, now.state, now.layout, stroke)
         if lagged(now.state):
             return Moment(ruling, now.tallies, now.breaker, now.frame, ask.player, stroke, rollout)
         tallies = after_stroke(now.tallies, ask.player, now.shooter == ask.player, self.rules, ruling, report)
@@ -252,7 +249,7 @@ class Match:
         return self._lag if lag else self.rules
 
     @property
-    def _judge(self) -> Rules[Any]:
+    def judge(self) -> Rules[Any]:
         """The rules that hold at the moment."""
         return self.rules_of(lagged(self.state))
 
@@ -270,12 +267,6 @@ class Match:
     def _seed(self, frame: int) -> int:
         """The seed of a frame's racks."""
         return self.setup.seed + 1_000_000 * frame
-
-
-def _after(rollout: Rollout) -> Layout:
-    """The layout after a stroke. How high a ball was when it left the table is no part of where a match stands."""
-    layout = rollout.layout()
-    return layout.put(*(ball.still()._replace(phase=OFF) for ball in layout.values() if ball.phase == OFF))
 
 
 def lagged(state: State) -> bool:

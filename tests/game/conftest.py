@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pool2d import Layout, Rollout, Shot, Table, simulate
-from pool2d.game import match
+from pool2d.game import judging
 from pool2d.game.records import engine
 
 
@@ -43,6 +43,6 @@ def faster(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
         def roll(table: Table, layout: Layout, shot: Shot) -> Rollout:
             return simulate(table.with_knobs({"cloth.mu_roll": 0.97 * table.knobs.cloth.mu_roll}), layout, shot)
 
-        monkeypatch.setattr(match, "simulate", roll)
+        monkeypatch.setattr(judging, "simulate", roll)
 
     return become

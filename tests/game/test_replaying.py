@@ -14,7 +14,7 @@ from benchmarks.random_play import random_action
 from pool2d import InputError, Layout, Shot, Table, load_table, simulate
 from pool2d.cli import main
 from pool2d.config.folders import data_folder
-from pool2d.game import match
+from pool2d.game import judging
 from pool2d.game.actions import Stroke
 from pool2d.game.match import Match
 from pool2d.game.records import engine, moments
@@ -136,7 +136,7 @@ def test_an_earlier_engine_lays_to_the_later_one_what_that_has_played(
         with resume(path) as again:
             again.play(Stroke(Shot(20.0, 3.0))) if again.match.ask.kind == "aim" else None
             again.play(random_action(again.match, random.Random(2)))
-    monkeypatch.setattr(match, "simulate", simulate)
+    monkeypatch.setattr(judging, "simulate", simulate)
     assert restored(load(path)).changes in ((BY_ENGINE,), ())
 
 

@@ -132,6 +132,20 @@ class Rules(Generic[S]):
         spotted, fell = dict(ruling.spotted), report.fallen if self.cue_counts else report.potted
         return tuple(ball for ball in fell if ball not in spotted)
 
+    # What who plans asks: hints, where a game has any to give.
+
+    def to_go(self, state: S, layout: Layout, player: int) -> int:
+        """How many balls a player has yet to pot to win, where the game is not scored."""
+        return len(self.on_table(layout))
+
+    def worth(self, ball: str) -> float:
+        """What a ball that is potted scores, where the game is."""
+        return 1.0
+
+    def goals(self, state: S, player: int) -> tuple[str, ...]:
+        """The pockets in which a ball counts for a player."""
+        return tuple(pocket.name for pocket in self.table.geometry.pockets)
+
     def state(self, data: Mapping[str, Any]) -> S:
         """A state from what `as_dict` made of it; raises InputError."""
         state: S = read_value(self.state_type, data, f"state of {self.name}")

@@ -9,7 +9,7 @@ import pytest
 
 from pool2d import Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.config.folders import data_folder
-from pool2d.game import match
+from pool2d.game import judging
 from pool2d.game.actions import NextFrame, Stalemate, Stroke
 from pool2d.game.records import engine
 from pool2d.game.records.record import load, matches_folder
@@ -183,7 +183,7 @@ def test_a_match_that_another_engine_has_played_goes_on_as_it_stood_and_says_so(
     def roll(table: Table, start: Layout, shot: Shot) -> Rollout:
         return simulate(table.with_knobs({"cloth.mu_roll": 0.02}), start, shot)
 
-    monkeypatch.setattr(match, "simulate", roll)
+    monkeypatch.setattr(judging, "simulate", roll)
     guest.app.scene = guest.app.lobby.menu()
     guest.app.step(0.0)
     choose(guest, "Continue")

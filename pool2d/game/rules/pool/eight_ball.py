@@ -10,13 +10,13 @@ from ..report import Report
 from ..ruling import Ruling
 from ..spotting import ANYWHERE, KITCHEN, Where, spot_balls
 from .fouls import shared_fouls
-from .pool import DRIVEN, GroupsState, PoolRules, driven, gone
+from .pool import DRIVEN, GroupsRules, GroupsState, driven, gone
 
 EIGHT = "8"
 SOLID, STRIPE = "solid", "stripe"
 
 
-class EightBall(PoolRules[GroupsState]):
+class EightBall(GroupsRules[GroupsState]):
     """Clear your group, then pocket the eight. Every shot but the break is called; a safety may be (4.5, 4.6)."""
 
     name = "eight-ball"

@@ -12,7 +12,7 @@ from ..notes import Note
 from ..report import BALL, Report
 from ..ruling import Ruling
 from ..scores import changed
-from .pool import GroupsState, PoolRules
+from .pool import GroupsRules, GroupsState
 
 BLACK = "black"
 RED, YELLOW = "red", "yellow"
@@ -21,7 +21,7 @@ COLORS = (RED, YELLOW)
 S = TypeVar("S", bound=GroupsState)
 
 
-class EnglishPool(PoolRules[S]):
+class EnglishPool(GroupsRules[S]):
     """Rules in which each player clears a colour and then pots the black; the kitchen is called baulk."""
 
     racks = ("eight-ball",)

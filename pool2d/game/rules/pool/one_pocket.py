@@ -104,6 +104,9 @@ class OnePocket(PoolRules[OnePocketState]):
         state: OnePocketState = ruling.state  # type: ignore[assignment]
         return () if ruling.foul else tuple(pot.ball for pot in report.pots if pot.pocket == state.pockets[player])
 
+    def goals(self, state: OnePocketState, player: int) -> tuple[str, ...]:
+        return (state.pockets[player],)
+
     def _told(self, before: OnePocketState, state: OnePocketState, layout: Layout, *notes: Note, **more: Any) -> Ruling:
         """A ruling with the scores worked out: the balls made, less those owed."""
         scores = tuple(len(held) - owed for held, owed in zip(state.held, state.owed, strict=True))

@@ -102,6 +102,19 @@ class PoolRules(Rules[S]):
         return (Note("second-foul", player),) if told else ()
 
 
+G = TypeVar("G", bound=GroupsState)
+
+
+class GroupsRules(PoolRules[G]):
+    """Rules in which each player clears a group and then pots one ball more."""
+
+    def to_go(self, state: G, layout: Layout, player: int) -> int:
+        """While the table is open, as many as of the group of which fewer are left."""
+        standing = set(self.on_table(layout))
+        names = self.groups if state.open else (state.groups[player],)
+        return 1 + min(len(standing & set(self.table.furniture.groups[name])) for name in names)
+
+
 def driven(report: Report) -> int:
     """How many object balls were driven to a rail; falling or leaving counts (2.7)."""
     return sum(ball != report.cue for ball in report.driven)

@@ -146,6 +146,9 @@ class Snooker(Rules[SnookerState]):
         """Every ball that falls without a foul, for all that colours are spotted again."""
         return () if ruling.foul else report.potted
 
+    def worth(self, ball: str) -> float:
+        return float(value(ball))
+
     def conceded(self, state: SnookerState, layout: Layout, player: int) -> Ruling:
         """2.1 (a): only the striker may concede; raises InputError for the other player."""
         if player != state.ask.player:

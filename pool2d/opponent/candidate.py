@@ -1,0 +1,28 @@
+"""What a player may do in a turn, before and after it was judged."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from ..game.actions import Stroke
+from ..game.rules import Choice
+
+CandidateKind: TypeAlias = Literal[
+    "pot", "combination", "carom", "bank", "kick", "cannon", "safety", "break", "push", "choice", "hope"
+]  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A stroke that is thought of: of which kind, what ball into what pocket it is to send, and where from.
+
+    `place` puts a cue ball that is in hand. `prior` is how likely geometry holds it to come off.
+    """
+
+    kind: CandidateKind
+    stroke: Stroke
+    ball: str = ""
+    pocket: str = ""
+    place: Choice | None = None
+    prior: float = 0.0

@@ -1,0 +1,48 @@
+"""Every stroke that a player thinks of in a turn."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ...game.actions import Stroke
+from ...physics.values import Layout, Shot
+from ..candidate import Candidate
+from ..turn import Turn
+from .breaks import breaks
+from .calling import called
+from .kicks import kicks
+from .pots import pots, spins
+from .safeties import safeties
+
+
+def candidates(turn: Turn) -> Iterator[Candidate]:
+    """The strokes at every ball that may be struck, from every place where that may stand."""
+    for cue in turn.cues:
+        for place, layout in turn.stands(cue):
+            yield from (replace(candidate, place=place) for candidate in _from_here(turn, layout, cue))
+
+
+def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
+    """The strokes at a cue ball where it lies."""
+    if turn.opens:
+        yield from breaks(turn.table, layout, turn.ask, cue, turn.player.taste.pace)
+        return
+    see, on = turn.player.judgement, turn.on(cue)
+    lines = turn.lines(layout, cue)
+    tips = spins(int(see.heights), int(see.sides), int(see.paces))
+    yield from pots(turn.table, layout, turn.ask, cue, lines[: int(see.ways)], tips)
+    yield from safeties(turn.table, layout, turn.ask, cue, on, int(see.safeties))
+    if not lines:
+        yield from kicks(turn.table, layout, turn.ask, cue, on, int(see.kicks))
+
+
+def anything(turn: Turn) -> Candidate:
+    """Where nothing is thought of: a stroke at the nearest ball on."""
+    cue = turn.cues[0]
+    place, layout = next(turn.stands(cue))
+    x, y = layout[cue].x, layout[cue].y
+    ball = min((layout[ball] for ball in turn.on(cue)), key=lambda ball: math.dist((ball.x, ball.y), (x, y)))
+    shot = Shot(math.degrees(math.atan2(ball.y - y, ball.x - x)), 3.0, ball=cue)
+    return Candidate("hope", Stroke(shot, called(turn.ask, ball.id, safety=True)), ball.id, place=place)

@@ -1,0 +1,83 @@
+"""Pots: the balls that lie open, struck at several speeds and with several spins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Final
+
+from ...game.actions import Stroke
+from ...game.rules import Ask
+from ...physics.values import Layout, Shot
+from ...table.table import Table
+from ..aiming import aimed_at
+from ..candidate import Candidate
+from ..pot_lines import PotLine
+from .calling import called
+from .strokes import cleared
+
+# Speeds as multiples of what the ball needs to fall, and where on the cue ball the tip may meet it, in radii.
+PACES: Final = (1.15, 1.6, 2.3, 3.2)
+HEIGHTS: Final = (0.0, -0.45, 0.4)
+SIDES: Final = (0.0, 0.3, -0.3)
+FASTEST: Final = 7.0
+_SOFTEST: Final = 0.35
+# How far a ball would run on beyond its pocket's mouth, m.
+_BEYOND: Final = 0.15
+
+
+def needed(table: Table, line: PotLine, height: float, side: float) -> float:
+    """The cue's speed, m/s, at which a ball just reaches its pocket, and a little more, with the tip at (side, height).
+
+    A ball that is hit full slides, and rolls on at 5/7 of its speed. The cue ball slides too until it rolls, then at
+    5/7 (1 + height) of the speed it was given (v = 5/7 v + 2/7 R w, with R w = 5/2 height v).
+    """
+    cloth, gravity = table.knobs.cloth, table.knobs.gravity
+    ball = 1.4 * math.sqrt(2.0 * cloth.mu_roll * gravity * (line.run + _BEYOND))
+    met = ball / (0.95 * max(math.cos(line.cut), 0.2))
+    slid = math.sqrt(met * met + 2.0 * cloth.mu_slide * gravity * line.lead)
+    rolled = math.sqrt(met * met + 2.0 * cloth.mu_roll * gravity * line.lead) * 1.4 / (1.0 + height)
+    return max(_SOFTEST, min(slid, rolled) / given(table, math.hypot(side, height)))
+
+
+def given(table: Table, offset: float) -> float:
+    """A ball's speed over the cue's that struck it so many radii off its centre (`strike.hop` has the same)."""
+    cue, mass = table.knobs.cue, table.knobs.ball.mass
+    return (1.0 + cue.tip_restitution) / (mass / cue.mass + 1.0 + 2.5 * offset * offset)
+
+
+def stroked(
+    table: Table, layout: Layout, cue: str, line: PotLine, pace: float, height: float, side: float
+) -> Shot | None:  # fmt: skip
+    """The shot that pots a ball in that line, refined; None where the cue cannot get at it."""
+    target, touch = layout[line.ball], table.touch(layout[cue], layout[line.ball])
+    x = target.x - touch * math.cos(line.direction) - layout[cue].x
+    y = target.y - touch * math.sin(line.direction) - layout[cue].y
+    speed = min(FASTEST, pace * needed(table, line, height, side))
+    shot = cleared(table, layout, Shot(math.degrees(math.atan2(y, x)), speed, side, height, ball=cue))
+    return None if shot is None else aimed_at(table, layout, shot, line.ball, line.direction, line.lead)
+
+
+def spins(heights: int, sides: int, paces: int) -> list[tuple[float, float, float]]:
+    """The (pace, height, side) that a player knows of, the plain ones first."""
+    found = [
+        (pace, height, side) for side in SIDES[:sides] for height in HEIGHTS[:heights] for pace in PACES[:paces]
+    ]  # fmt: skip
+    return sorted(found, key=lambda one: (one[2] != 0.0, one[1] != 0.0))
+
+
+def pots(
+    table: Table,
+    layout: Layout,
+    ask: Ask,
+    cue: str,
+    found: list[PotLine],
+    tips: list[tuple[float, float, float]],
+) -> Iterator[Candidate]:
+    """A plan for each line and each (pace, height, side)."""
+    for line in found:
+        for pace, height, side in tips:
+            shot = stroked(table, layout, cue, line, pace, height, side)
+            if shot is not None:
+                call = called(ask, line.ball, line.pocket)
+                yield Candidate("pot", Stroke(shot, call), line.ball, line.pocket, prior=line.chance)

@@ -1,0 +1,24 @@
+"""What every stroke has to do with: the cue's way to the ball, and a look round the table."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from ...physics.values import Layout, Shot
+from ...table.clearance import least_elevation
+from ...table.table import Table
+
+# No player raises the butt by more for a stroke that is no jump, degrees; and so much more than what it has to clear.
+STEEPEST: Final = 50.0
+_SPARE: Final = 0.3
+
+
+def cleared(table: Table, layout: Layout, shot: Shot) -> Shot | None:
+    """The shot with the butt raised until the cue goes through nothing; None where it had to be raised too far."""
+    needed = least_elevation(table, layout, shot)
+    if needed.elevation is None or needed.elevation > STEEPEST:
+        return None
+    if not needed.over:
+        return shot
+    return replace(shot, elevation=min(89.0, needed.elevation + _SPARE))

@@ -1,0 +1,57 @@
+"""What a player does when it is asked for anything: a choice, or a stroke, or where the cue ball goes and a stroke."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass
+from typing import Any
+
+from ..game.actions import Action, Stroke
+from ..game.rules import CHOOSE, Choice, Rules, Ruling
+from .candidates.find import anything, candidates
+from .judgement import Weighed, best, glance
+from .player import Player
+from .turn import Turn
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """What a player does: `actions`, of which a stroke is as it was meant; and what it `weighed`, the best first."""
+
+    actions: tuple[Action, ...]
+    weighed: tuple[Weighed, ...] = ()
+
+    @property
+    def stroke(self) -> Stroke | None:
+        """The stroke that ends the turn, as it is meant."""
+        last = self.actions[-1]
+        return last if isinstance(last, Stroke) else None
+
+
+def decide(rules: Rules[Any], ruling: Ruling, player: Player, seed: str) -> Decision:
+    """What a player does where a game stands; the same seed gives the same, whatever runs it."""
+    turn = Turn(rules, ruling, player)
+    if turn.ask.kind == CHOOSE:
+        return Decision((_option(turn)[1],))
+    weighed = _weighed(turn, random.Random(f"judgement {seed}"))
+    value, choice = _option(turn) if turn.ask.options else (0.0, None)
+    if choice is not None and value > weighed[0].value:
+        return Decision((choice,), tuple(weighed))
+    return Decision(_actions(weighed[0]), tuple(weighed))
+
+
+def _option(turn: Turn) -> tuple[float, Choice]:
+    """The option that is worth most, the first of equals."""
+    choices = [Choice(key) for key in turn.ask.options]
+    return max(((turn.worth_of(turn.chosen(choice)), choice) for choice in choices), key=lambda one: one[0])
+
+
+def _weighed(turn: Turn, rng: random.Random) -> list[Weighed]:
+    """What is thought of, the best first; never nothing."""
+    found = best(turn, candidates(turn), rng)
+    return found or [glance(turn, anything(turn)) or Weighed(anything(turn), 0.0, 0.0)]
+
+
+def _actions(weighed: Weighed) -> tuple[Action, ...]:
+    place, stroke = weighed.candidate.place, weighed.candidate.stroke
+    return (stroke,) if place is None else (place, stroke)
