@@ -115,28 +115,37 @@ class Contacts:
         glance(ball, n, solid.least(math.hypot(ball.vx, ball.vy)))
 
     def struck(self, ball: Body, stroke: TipImpulse) -> Met:
-        """A stroke has sent a ball on its way: where another rests in it, with the tip they are one contact.
+        """A stroke has sent a ball that lies on its way: where another is in it, with the tip they are one contact.
 
         Else nothing is met, and nothing changes: what the ball meets later it meets without the tip.
         """
         speed, up = math.hypot(ball.vx, ball.vy), ball.vz
+        if speed <= NOISE:
+            return Met([], [], [])
+        tip = TipSpring(ball, stroke)
+        # Until the slate has answered, a ball that is driven into it is beside the others, not off the cloth.
+        ball.vz = 0.0
+        met = self._driven(ball, speed, tip)
+        if met.pairs:
+            stroke.onward = tip.speed
+        else:
+            ball.vz = up
+        return met
+
+    def _driven(self, ball: Body, speed: float, tip: TipSpring) -> Met:
         room = depth(ball, ball, speed)
-        if speed <= NOISE or not linked([ball], self.crowd, room, 0.0):
+        if not linked([ball], self.crowd, room, 0.0):
             return Met([], [], [])
         group = self._group([ball], room, yielding(ball, speed), 0.0)
-        if any(body.index != ball.index and math.hypot(body.vx, body.vy) > 0.0 for body in group.balls()):
-            return Met([], [], [])
         before = [(body, body.velocity()) for body in [ball, *group.balls()]]
-        tip = TipSpring(ball, stroke)
         ball.set_velocity((0.0, 0.0, 0.0, 0.0, 0.0))
-        ball.vz = 0.0
-        pairs, noses = solve(group, speed, self.materials, tip)
+        # One that comes to meet it may be faster.
+        fastest = max([speed, *[math.hypot(body.vx, body.vy) for body in group.balls()]])
+        pairs, noses = solve(group, fastest, self.materials, tip)
         if not any(ball in pair.balls for pair in pairs):
             for body, velocity in before:
                 body.set_velocity(velocity)
-            ball.vz = up
             return Met([], [], [])
-        stroke.onward = tip.speed
         met = [(pair.a, pair.b) for pair in pairs]
         met.sort(key=lambda pair: ball not in pair)
         return Met(met, [(nose.ball, nose.name) for nose in noses], [])

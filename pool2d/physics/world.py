@@ -11,7 +11,7 @@ from ..errors import InputError
 from .body import Body
 from .contact import Contacts, Met
 from .crowd import Crowd
-from .cue.tip import ON, Tip
+from .cue.tip import Tip
 from .detect import Element, Pocket, time_ball_ball, time_in_the_air
 from .event import Event
 from .flight.bed import PATIENCE, Bed
@@ -68,11 +68,11 @@ class World:
         if shot.speed > 0.0:
             lay = self.bed.lies(body)
             stroke = strike(body, shot, self.physics.cue)
-            met = self.contacts.struck(body, stroke)
-            if lay:
-                self.bed.answer(body)
+            met = self.contacts.struck(body, stroke) if lay else Met([], [], [])
             if stroke.onward > 0.0 and self.physics.cue.follow_through > 0.0 and not shot.easy:
                 self.tip = Tip(body, shot, stroke, self.physics.cue)
+            if lay:
+                self.bed.answer(body)
             others = [other for other in met.bodies() if other.index != body.index]
             pairs, rails, where = _names(met)
             self.record("cue_ball", where if stroke.clean else MISCUE, [body, *others], None, pairs, rails)
@@ -200,8 +200,6 @@ class World:
             self.follow(motion)
         pairs, rails, where = _names(met)
         kind: EventKind = "cluster" if len(pairs) + len(rails) > 1 else "ball_ball" if pairs else "ball_cushion"
-        if self.tip is not None and self.now <= ON:
-            self.tip.held = False
         self.record(kind, where, met.bodies(), None, pairs, rails)
         if met.aloft:
             self.give_up(met.bodies())
@@ -219,6 +217,10 @@ class World:
         if new is None:
             new = [self.go_on(body) for body in bodies]
         old = [self.crowd.motion[body.index] for body in bodies]
+        if self.tip is not None and kind != "cue_ball":
+            for body, before in zip(bodies, old, strict=True):
+                if body.index == self.tip.index:
+                    self.tip.feel(body, before, self.now)
         self.events.append(Event(self.now, kind, where, old, new, pairs, rails))
         for motion in new:
             self.follow(motion)

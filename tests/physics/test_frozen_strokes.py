@@ -96,11 +96,66 @@ def test_the_spring_of_the_tip_strikes_a_ball_alone_as_the_stroke_does(shot: Sho
     assert (*two.velocity(), two.vz) == pytest.approx((*one.velocity(), one.vz), rel=5e-3, abs=1e-9)
 
 
-def test_with_a_ball_that_moves_it_is_two_contacts() -> None:
-    """The steps are those of the stroke's speed: a soft stroke once met a ball at 40 m/s, and the springs burst."""
-    moving = FROZEN.put(Ball("2", 0.9 + 4.0 * RADIUS, 0.6, vx=-40.0))
-    event = stroke(Shot(0.0, 1e-6), moving)
-    assert (event.balls, event.pairs) == (("cue",), ())
+@pytest.mark.parametrize("elevation", [0.01, 1.0, 3.0, 5.0])
+@pytest.mark.parametrize("aim", [0.0, 8.0, 34.0, 57.0])
+def test_with_the_butt_a_little_raised_it_is_nearly_the_level_stroke(aim: float, elevation: float) -> None:
+    """A ball that is driven into the slate was taken to be above the other: then the tip was told to strike twice."""
+    roll = simulate(TABLE, FROZEN, Shot(aim, 3.0, elevation=elevation))
+    event, level = roll.events[0], stroke(Shot(aim, 3.0))
+    assert (event.balls, event.pairs) == (("cue", "1"), (("1", "cue"),))
+    assert sum(event.kind == "cue_ball" for event in roll.events) == 1
+    # The slate, on which the ball slips, takes mu (1 + e) of what drives it down.
+    slate = TABLE.knobs.cloth
+    lost = slate.bounce_friction * (1.0 + slate.bounce) * 4.0 * math.sin(math.radians(elevation))
+    for name in event.balls:
+        one, other = event.after[name], level.after[name]
+        assert math.dist((one.vx, one.vy), (other.vx, other.vy)) < 0.03 * 4.0 + lost
+
+
+@pytest.mark.parametrize("elevation", [0.0, 10.0, 45.0])
+def test_what_the_balls_are_called_is_of_no_consequence(elevation: float) -> None:
+    ways = []
+    for name in ("0", "9"):
+        balls = FROZEN.without("cue").put(FROZEN["cue"]._replace(id=name))
+        event = stroke(Shot(20.0, 3.0, elevation=elevation, ball=name), balls)
+        ways.append([(ball.vx, ball.vy, ball.vz) for ball in (event.after[name], event.after["1"])])
+    assert ways[0] == ways[1]
+
+
+def test_a_ball_that_is_struck_in_the_air_drives_none_below_it() -> None:
+    for name in ("0", "9"):
+        above = Layout([FROZEN["1"], Ball(name, 0.9 + RADIUS, 0.6, z=0.2, phase="airborne")])
+        event = stroke(Shot(0.0, 3.0, ball=name), above)
+        assert (event.balls, event.pairs) == ((name,), ())
+
+
+def test_one_that_rolls_against_it_is_struck_as_one_at_rest() -> None:
+    for elevation in (0.0, 20.0):
+        shot = Shot(34.0, 3.0, elevation=elevation)
+        rest = stroke(shot)
+        rolls = stroke(shot, FROZEN.put(FROZEN["1"]._replace(vx=-1e-6, phase="rolling")))
+        assert rolls.pairs == rest.pairs
+        for name in ("cue", "1"):
+            one, two = rest.after[name], rolls.after[name]
+            assert (one.vx, one.vy, one.vz) == pytest.approx((two.vx, two.vy, two.vz), abs=1e-3)
+
+
+@given(st.floats(-40.0, 40.0), st.floats(-40.0, 40.0), st.floats(1e-6, 12.0), st.floats(0.0, 60.0))
+def test_balls_that_move_are_no_faster_after_it_than_what_drives_them(
+    near: float, far: float, speed: float, tilt: float
+) -> None:
+    """Springs with steps of the stroke's speed burst where a soft stroke met a ball at 40 m/s."""
+    moving = FROZEN.put(
+        FROZEN["1"]._replace(vx=near, phase="sliding"), Ball("2", 0.9 + 4.0 * RADIUS, 0.6, vx=far, phase="sliding")
+    )
+    event = stroke(Shot(0.0, speed, elevation=tilt), moving)
+
+    def energy(ball: Ball) -> float:
+        return 0.5 * MASS * (ball.vx**2 + ball.vy**2 + ball.vz**2 + 0.4 * RADIUS**2 * (ball.wx**2 + ball.wy**2))
+
+    told = [moving[name] for name in event.balls]
+    before = sum(map(energy, told)) + 0.5 * CUE.mass * speed**2
+    assert sum(energy(event.after[name]) for name in event.balls) <= before * (1.0 + 1e-12)
 
 
 def test_what_touches_the_other_goes_off_too() -> None:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pool2d import Ball, Event, Layout, Rollout, Shot, load_table, simulate
+from pool2d import Ball, Event, Layout, Rollout, Shot, Table, load_table, simulate
 from pool2d.physics.cue.push import push
-from pool2d.physics.cue.tip import OFTEN
+from pool2d.physics.cue.tip import OFTEN, ROUND
 from pool2d.physics.values import PUSH
 from tests.checks import assert_sound, energy
 
@@ -32,16 +33,16 @@ def hits(roll: Rollout) -> list[Event]:
     return [event for event in roll.events if event.kind == "cue_ball"]
 
 
-def is_double(gap: float, shot: Shot, cut: float = 0.0) -> bool:
-    return len(hits(simulate(TABLE, layout(gap, cut), shot))) > 1
+def is_double(gap: float, shot: Shot, cut: float = 0.0, table: Table = TABLE) -> bool:
+    return len(hits(simulate(table, layout(gap, cut), shot))) > 1
 
 
-def largest_cut(gap: float, speed: float) -> float:
+def largest_cut(gap: float, speed: float, table: Table = TABLE) -> float:
     """The largest cut with a second hit, degrees."""
     least, most = 0.0, 60.0
     while most - least > 0.1:
         middle = 0.5 * (least + most)
-        least, most = (middle, most) if is_double(gap, Shot(speed=speed), middle) else (least, middle)
+        least, most = (middle, most) if is_double(gap, Shot(speed=speed), middle, table) else (least, middle)
     return least
 
 
@@ -62,6 +63,39 @@ def test_a_cut_avoids_it(gap: float, least: float) -> None:
     assert largest_cut(gap, 3.0) == pytest.approx(least, abs=3.0)
 
 
+def misses_by(gap: float, cut: float, tip: Callable[[float, float], float]) -> float:
+    """How far a tip stays from a ball cut at that angle, degrees, that no friction throws or slows; negative: it hits.
+
+    `tip` gives its distance from a point so far ahead of its end and beside its axis, m.
+    """
+    e, turn = TABLE.knobs.ball.restitution, math.radians(cut)
+    way = math.sqrt((2.0 * RADIUS + gap) ** 2 - (2.0 * RADIUS * math.sin(turn)) ** 2) - 2.0 * RADIUS * math.cos(turn)
+    # In units of the ball's speed: the cue's is 0.586 / 1.316 of it.
+    cue, taken = 0.586 / 1.316, 0.5 * (1.0 + e) * math.cos(turn)
+    vx, vy = 1.0 - taken * math.cos(turn), taken * math.sin(turn)
+    steps = [0.0005 * i for i in range(800)]
+    return min(tip(RADIUS + (1.0 - cue) * way + (vx - cue) * s, vy * s) - RADIUS for s in steps)
+
+
+def flat(ahead: float, beside: float) -> float:
+    beside = max(0.0, beside - ROUND)
+    return math.hypot(ahead, beside) if ahead > 0.0 else beside
+
+
+def rounded(ahead: float, beside: float) -> float:
+    return math.hypot(ahead + ROUND, beside) - ROUND
+
+
+@pytest.mark.parametrize(("gap", "least"), [(0.002, 37.0), (0.01, 29.0), (0.025, 22.0)])
+def test_the_cut_is_the_references_but_for_throw_and_the_tips_end(gap: float, least: float) -> None:
+    smooth = TABLE.with_knobs({"ball.law": "frictionless", "cloth.mu_slide": 0.01})
+    found = largest_cut(gap, 3.0, smooth)
+    assert misses_by(gap, found - 0.5, rounded) < 0.0 < misses_by(gap, found + 0.5, rounded)
+    assert misses_by(gap, least - 0.5, flat) < 0.0 < misses_by(gap, least + 0.5, flat)
+    # What throw does is to keep the ball before the tip.
+    assert 0.0 < largest_cut(gap, 3.0) - found < 2.0
+
+
 def test_ten_millimetres_from_the_ball() -> None:
     level = Shot(speed=2.5)
     assert is_double(0.01, level)
@@ -79,6 +113,27 @@ def test_a_raised_butt_narrows_the_gap(elevation: float, speed: float, most: flo
     shot = Shot(speed=speed, elevation=elevation)
     assert is_double(1e-3 * most, shot)
     assert not is_double(1e-3 * none, shot)
+
+
+@pytest.mark.parametrize("elevation", [40.0, 45.0, 50.0])
+def test_under_a_steep_cue_what_is_hit_full_stops_the_ball_at_the_tip_and_what_is_grazed_does_not(
+    elevation: float,
+) -> None:
+    """The slate throws the ball back at the tip: that alone is no second hit, nor is it with a ball that is grazed."""
+    shot = Shot(speed=3.0, elevation=elevation)
+    assert is_double(5e-4, shot)
+    assert is_double(5e-4, shot, 30.0)
+    assert not is_double(5e-4, shot, 45.0)
+    assert not is_double(5e-4, shot, 80.0)
+
+
+def test_what_others_do_while_the_tip_is_on_its_ball_is_nothing_to_it() -> None:
+    shot = Shot(speed=3.0, elevation=50.0)
+    far = [Ball("2", 1.5, 0.6), Ball("3", 1.5 + 2.0 * RADIUS + 1e-5, 0.6, vx=-2.0, phase="sliding")]
+    alone, among = (Layout([Ball("cue", 0.7, 0.6), *others]) for others in ([], far))
+    one, two = (simulate(TABLE, balls, shot).tracks["cue"] for balls in (alone, among))
+    assert [motion.phase for motion in one[:4]] == [motion.phase for motion in two[:4]]
+    assert len(hits(simulate(TABLE, among, shot))) == 1
 
 
 @pytest.mark.parametrize("elevation", [0.0, 20.0, 45.0, 60.0, 80.0])

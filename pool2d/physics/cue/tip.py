@@ -36,13 +36,14 @@ class Tip:
     Its centre is at (x, y, z) at the time `t`, and moves at `speed` along the unit vector (dx, dy, dz). The hand brakes
     it from the time `brake` on, and takes it away at `gone`, or the cloth ends its way before, at the height `low`.
     Where it is still `held` to the ball, it can meet that only after the two have been apart: what presses the ball
-    back on the tip, as the slate does under a steep cue, is of the same contact. `hits` counts the contacts. It holds
-    more numbers than most classes: where it is and goes, and what it is of.
+    back on the tip, as the slate does under a steep cue, is of the same contact. The ball can lose the part `spare` of
+    its speed before the tip is as fast. `hits` counts the contacts. It holds more numbers than most classes: where it
+    is and goes, and what it is of.
     """
 
     __slots__ = (
         "index", "mass", "restitution", "cone", "x", "y", "z", "dx", "dy", "dz", "t", "speed", "brake", "gone", "low",
-        "held", "hits",
+        "held", "spare", "hits",
     )  # fmt: skip
 
     def __init__(self, ball: Body, shot: Shot, stroke: TipImpulse, cue: Cue) -> None:
@@ -60,6 +61,7 @@ class Tip:
         self.brake = FREE * self.gone
         self.low = min(self.z, ball.z + ROUND)
         self.held = True
+        self.spare = self._spare(ball, n)
         self.hits = 0
 
     def time(self, motion: Motion, radius: float, now: float) -> float:
@@ -79,8 +81,26 @@ class Tip:
         cue = (self.dx, self.dy, self.dz)
         self.speed, parting = push(ball, n, cue, self.speed, self.mass, self.restitution, self.cone)
         self.held = True
+        self.spare = self._spare(ball, n)
         self.hits += 1
         return parting >= TOGETHER and self.hits < OFTEN
+
+    def feel(self, ball: Body, before: Motion, now: float) -> None:
+        """Its ball has met something: where that stops it before a tip that is still on it, the two can meet at once.
+
+        What is barely grazed does not stop it. Only the way in plan counts, as the slate is what throws the ball up.
+        """
+        if now > ON:
+            return
+        s = now - before.t0
+        vx, vy = before.vx + 2.0 * before.hx * s, before.vy + 2.0 * before.hy * s
+        if (vx - ball.vx) * self.dx + (vy - ball.vy) * self.dy > self.spare * (vx * self.dx + vy * self.dy):
+            self.held = False
+
+    def _spare(self, ball: Body, n: Vector) -> float:
+        onward = ball.vx * n[0] + ball.vy * n[1] + ball.vz * n[2]
+        tip = self.speed * (self.dx * n[0] + self.dy * n[1] + self.dz * n[2])
+        return 1.0 - tip / onward if onward > tip else 0.0
 
     def _toward(self, ball: Body) -> Vector:
         x, y, z = ball.x - self.x, ball.y - self.y, ball.z + ball.radius - self.z
