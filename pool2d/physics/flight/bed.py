@@ -6,7 +6,7 @@ import math
 from typing import Final, final
 
 from ..body import Body
-from ..detect import Element, Jaw, Pocket, Rail
+from ..detect import SURFACE, Element, Jaw, Pocket, Rail
 from ..materials import Materials
 from ..motion import Motion
 from ..roots import INF, falling_root
@@ -177,11 +177,14 @@ class Bed:
 
 
 def _ledges(facing: Rail, x: float, y: float, ground: Ground, surface: Surface) -> list[Solid]:
-    """What closes the pocket between a facing's end at (x, y), across from the hole's centre, and its back."""
+    """What closes the pocket between a facing's end at (x, y), across from the hole's centre, and its back.
+
+    Where the facings are as far apart as the hole is wide, nothing is open there.
+    """
     for pocket in ground.pockets:
         px, py = x - pocket.x, y - pocket.y
         beside = px * pocket.uy - py * pocket.ux
-        if abs(px * pocket.ux + py * pocket.uy) < 1e-9 and 0.0 < abs(beside) < pocket.radius:
+        if abs(px * pocket.ux + py * pocket.uy) < SURFACE and 0.0 < abs(beside) < pocket.radius - SURFACE:
             far = math.copysign(pocket.radius, beside)
             ends = [(x, y), (pocket.x + far * pocket.uy, pocket.y - far * pocket.ux)]
             # The open side is on the left of a nose's way.

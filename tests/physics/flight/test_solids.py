@@ -70,6 +70,17 @@ def test_a_nose_is_met_by_what_has_been_in_its_line_beyond_its_end() -> None:
     assert (roll.events[0].kind, roll.events[0].where) == ("ball_cushion", "bottom-left")
 
 
+def test_a_pockets_facings_may_be_as_far_apart_as_its_hole_is_wide() -> None:
+    """What closes the pocket beside them has no length then: such a table could not be played on."""
+    shape = {"side.angle": 90.0, "side.mouth": 0.11, "side.drop_radius": 0.055, "side.jaw_radius": 0.002}
+    table = load_table("pool-9ft", shape)
+    assert "bottom-side back" in {solid.name for solid in table.bed.solids}
+    for x in (1.255, 1.27, 1.285):
+        roll = simulate(table, Layout([Ball("cue", x, 0.3)]), Shot(-90.0, 6.0))
+        assert_sound(table, roll)
+        assert roll.layout()["cue"].phase == "pocketed"
+
+
 def flown(table_name: str = "pool-9ft", **ball: Any) -> Rollout:
     table = {"pool-9ft": POOL, "carom-10ft": CAROM}[table_name]
     roll = simulate(table, Layout([Ball(**{"id": "cue", **ball})]))
