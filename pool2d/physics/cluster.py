@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from typing import Final, final
 
 from .body import Body
@@ -23,6 +23,7 @@ from .detect import NOISE, Element
 from .energy import take_back
 from .laws.rebound import rebound
 from .materials import Materials
+from .roots import INF
 from .springs import STEPS, BallSpring, NoseSpring, Spring, damping, pace
 from .strike import TipSpring
 
@@ -146,17 +147,33 @@ def _unjam(springs: list[Spring]) -> None:
     """Take the approaches from contacts that are still closed when an impact's time is up: balls wedged in.
 
     They have no restitution left. A ball that still goes into a cushion when its approaches have been shared out is
-    in a wedge and stops; what goes on into that ball is stopped by it.
+    in a wedge and stops. From then on it is a wall to the others, and so is each that stops between such walls.
     """
     held = [spring for spring in springs if spring.met]
     _share_out(held)
-    wedged = {spring.ball.index for spring in held if isinstance(spring, NoseSpring) and spring.closing() > NOISE}
-    if wedged:
-        for ball in [ball for spring in held for ball in spring.balls if ball.index in wedged]:
+    # What the tip had to give it has given.
+    held = [spring for spring in held if not isinstance(spring, TipSpring)]
+    masses: dict[int, float] = {}
+    balls = {ball.index: ball for spring in held for ball in spring.balls}
+    while stopped := _wedged(held, masses):
+        for index in stopped:
+            ball = balls[index]
+            masses[index] = ball.mass
             ball.vx = ball.vy = 0.0
-        for spring in held:
-            if isinstance(spring, BallSpring):
-                spring.stop_at(wedged)
+            ball.mass = INF
+        _share_out(held)
+    for index, mass in masses.items():
+        balls[index].mass = mass
+
+
+def _wedged(held: list[Spring], walls: Container[int]) -> set[int]:
+    """The balls, by index, that still go into a cushion, or into one of the balls that are walls."""
+    found = set()
+    for spring in held:
+        free = [ball.index for ball in spring.balls if ball.index not in walls]
+        if spring.closing() > NOISE and (len(free) < len(spring.balls) or isinstance(spring, NoseSpring)):
+            found.update(free)
+    return found
 
 
 def _share_out(held: list[Spring]) -> None:

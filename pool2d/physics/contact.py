@@ -12,7 +12,7 @@ from .detect import NOISE, Element
 from .flight.bed import Bed
 from .flight.impact import GENTLE, against, collide, glance, nearing
 from .flight.solids import Solid
-from .motion import Motion
+from .motion import STILL, Motion
 from .pressing import Side, press
 from .roots import INF
 from .springs import depth, yielding
@@ -65,7 +65,9 @@ class Contacts:
         nx, ny = element.normal(ball.x, ball.y)
         pressed = press([Side(ball, nx, ny)], ball.vx * nx + ball.vy * ny, now, self.materials.cloth)
         speed = ball.vx * nx + ball.vy * ny
-        if speed > NOISE:
+        if speed <= STILL:
+            _stop(ball, nx, ny)
+        else:
             # A cushion gives way by far more than a ball: others of its kind are reached from further off.
             group = self._group([ball], depth(ball, ball, speed), yielding(ball, speed), now)
             met = self._together(group, speed, pressed)
@@ -82,7 +84,10 @@ class Contacts:
         nx, ny = _toward(a, b)
         pressed = press([Side(a, nx, ny), Side(b, -nx, -ny)], _approach(a, b), now, self.materials.cloth)
         speed = _approach(a, b)
-        if speed > NOISE:
+        if speed <= STILL and (_creeps(a) or _creeps(b)):
+            _stop(a, nx, ny)
+            _stop(b, -nx, -ny)
+        elif speed > NOISE:
             room = depth(a, b, speed)
             met = self._together(self._group([a, b], room, room, now), speed, pressed)
             if met is not None:
@@ -190,6 +195,22 @@ class Contacts:
                 ball.set_velocity(velocity)
             return None
         return Met([(pair.a, pair.b) for pair in pairs], [(nose.ball, nose.name) for nose in noses], pressed)
+
+
+def _creeps(ball: Body) -> bool:
+    """Whether a ball is so slow that what it has of speed is rounding."""
+    return math.hypot(ball.vx, ball.vy) <= STILL
+
+
+def _stop(ball: Body, nx: float, ny: float) -> None:
+    """Take from a ball the speed at which it goes toward something.
+
+    Two that creep would else have endless contacts: what one gets of the other is rounded away before the next.
+    """
+    speed = ball.vx * nx + ball.vy * ny
+    if speed > 0.0:
+        ball.vx -= speed * nx
+        ball.vy -= speed * ny
 
 
 def _approach(a: Body, b: Body) -> float:

@@ -8,7 +8,6 @@ and `act` gives it, so that all springs of a step see the same moment and their 
 from __future__ import annotations
 
 import math
-from collections.abc import Container
 from functools import cache
 from typing import TYPE_CHECKING, Final, final
 
@@ -113,15 +112,6 @@ class BallSpring(Spring):
         a, b, n = self.a, self.b, self.n
         along = speed / ((n[0] * n[0] + n[1] * n[1]) * (1.0 / a.mass + 1.0 / b.mass))
         push(a, b, n, along, 0.0, 0.0, 0.0)
-
-    def stop_at(self, fixed: Container[int]) -> None:
-        """Take the approach from the ball that goes on into one whose index is among those that cannot move."""
-        speed = self.closing()
-        for ball, other, sign in ((self.a, self.b, 1.0), (self.b, self.a, -1.0)):
-            if speed > 0.0 and other.index in fixed and ball.index not in fixed:
-                size = math.hypot(self.n[0], self.n[1])
-                ball.vx -= sign * speed * self.n[0] / (size * size)
-                ball.vy -= sign * speed * self.n[1] / (size * size)
 
     def _rub(self, closing: float) -> None:
         """The friction of a step: Coulomb's, or what ends the slip."""

@@ -207,3 +207,31 @@ def test_a_ball_driven_into_a_wedge_stays_where_friction_holds_it(
     assert max(closing) <= NOISE
     assert (ball.vx == 0.0) == (math.tan(turn) < friction)
     assert ball.energy() <= before
+
+
+@pytest.mark.parametrize("apart", [1.4, 1.5, 1.95])
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
+def test_a_ball_that_goes_on_into_two_wedged_ones_is_stopped_by_both(apart: float, order: tuple[int, ...]) -> None:
+    """Once by one after the other, so that it went on into the first: again and again, each time by half as much."""
+    turn = math.radians(3.0)
+    walls = [
+        Rail("upper", math.cos(turn), 0.0, 0.0, math.sin(turn)),
+        Rail("lower", 0.0, -math.sin(turn), math.cos(turn), 0.0),
+    ]
+    side = apart * RADIUS
+    balls = [Ball("0", -math.sqrt(PITCH**2 - side**2), 0.0, 0.05, 0.0, 0.0, 30.0, 5.0)]
+    balls += [Ball("1", 0.0, side), Ball("2", 0.0, -side)]
+    heavy, one, two = (
+        Body(ball, index, RADIUS, mass) for ball, index, mass in zip(balls, order, (2.0, 0.01, 0.01), strict=True)
+    )
+    before = heavy.energy()
+    solve(
+        Group([(heavy, one, 0.0), (heavy, two, 0.0)], [(ball, wall, 0.0) for ball in (one, two) for wall in walls]),
+        0.05,
+        materials(Physics()),
+    )
+    assert (one.vx, one.vy, two.vx, two.vy) == (0.0, 0.0, 0.0, 0.0)
+    for ball in (one, two):
+        assert (heavy.vx * (ball.x - heavy.x) + heavy.vy * (ball.y - heavy.y)) / PITCH <= NOISE
+    assert heavy.energy() <= before
+    assert (one.mass, two.mass) == (0.01, 0.01)
