@@ -55,6 +55,18 @@ class Session:
         return self.match.setup.game == PRACTICE
 
     @property
+    def persons_turn(self) -> bool:
+        """Whether it is for a person to go on; so it is between frames, as long as a person plays at all."""
+        setup = self.match.setup
+        return setup.is_person(self.ask.player) or (self.match.state.over and not setup.watched)
+
+    @property
+    def gives_up(self) -> int:
+        """Who it is that a person may give the frame up for: whoever is asked, or the person beside the table."""
+        setup, asked = self.match.setup, self.ask.player
+        return asked if setup.watched or setup.is_person(asked) else self.match.rules.other(asked)
+
+    @property
     def cue(self) -> Ball:
         """The ball to be struck, also while it is in hand."""
         moment, taken = self._taken
@@ -125,7 +137,7 @@ class Session:
         Raises InputError where no shot is asked for or it is out of range, BudgetError where it does not
         end; nothing has changed then.
         """
-        rollout = self._do(Stroke(shot, call or Call())).rollout
+        rollout = self.do(Stroke(shot, call or Call())).rollout
         assert rollout is not None
         return rollout
 
@@ -137,48 +149,48 @@ class Session:
         """Put the cue ball on the table; False, and nothing done, where it may not stand there."""
         if not self.may_place(x, y):
             return False
-        self._do(Choice("place", x, y))
+        self.do(Choice("place", x, y))
         return True
 
     def choose(self, key: str) -> None:
         """Pick one of the options that are offered; raises InputError for another."""
-        self._do(Choice(key))
+        self.do(Choice(key))
 
     def concede(self, player: int) -> None:
         """A player gives the frame up."""
-        self._do(Concede(player))
+        self.do(Concede(player))
 
     def stalemate(self) -> None:
         """The players agree that the frame gets nowhere, and begin it again."""
-        self._do(Stalemate())
+        self.do(Stalemate())
 
     def next_frame(self) -> None:
         """Rack for the next frame; raises InputError before this one is over."""
-        self._do(NextFrame())
+        self.do(NextFrame())
 
     def arrange(self, layout: Layout) -> None:
         """Put the balls somewhere by hand; raises InputError where they cannot stand there, or in a match."""
-        self._do(Arrange(layout))
+        self.do(Arrange(layout))
 
     def rack(self, seed: int, name: str = "") -> None:
         """Set up a new rack, the table's first where none is named; raises InputError in a match."""
         self.arrange(self.table.rack(name or next(iter(self.table.furniture.racks)), seed))
 
     def undo(self) -> bool:
-        """Undo the last action, and with it how the cue ball was placed since; False where there is nothing to undo."""
-        undone = False
-        while True:
-            last = self.match.now
-            if not (self.recorder or self.match).undo():
-                return undone
-            undone = True
-            if not placing(last):
-                return True
+        """Undo the last action, and with it how the cue ball was placed since; False where there is nothing to undo.
+
+        Against a player that is no person it goes back to the last decision of a person's.
+        """
+        undone = self._decided_before and self._back()
+        while undone and not self._decides and self._back():
+            pass
+        return undone
 
     def redo(self) -> bool:
-        """Redo what was last undone; False where nothing was, or something else was played since."""
-        done = (self.recorder or self.match).redo()
-        while done and placing(self.match.now) and (self.recorder or self.match).redo():
+        """Redo what was last undone, up to a decision of a person's; False where nothing was, or something else was
+        played since."""
+        done = self._forth()
+        while done and not self._decides and self._forth():
             pass
         return done
 
@@ -199,10 +211,41 @@ class Session:
                 with suppress(InputError):
                     remove(self.recorder.path)
 
-    def _do(self, action: Action) -> Moment:
+    def do(self, action: Action) -> Moment:
+        """Carry out whatever was decided; raises as `Match.play`, nothing having changed then."""
         moment = (self.recorder or self.match).play(action)
         self._taken = None, ""
         return moment
+
+    @property
+    def _decides(self) -> bool:
+        """Whether a person stands before a decision; in a match without people, any player."""
+        return self.match.setup.watched or self.persons_turn
+
+    @property
+    def _decided_before(self) -> bool:
+        """Whether there is a decision to go back to."""
+        setup = self.match.setup
+        before = self.match.history[:-1]
+        return setup.watched or any(setup.is_person(moment.ruling.ask.player) for moment in before)
+
+    def _back(self) -> bool:
+        """Undo one action, and how the cue ball was placed before; whether there was one."""
+        undone = False
+        while True:
+            last = self.match.now
+            if not (self.recorder or self.match).undo():
+                return undone
+            undone = True
+            if not placing(last):
+                return True
+
+    def _forth(self) -> bool:
+        """Redo one action, and how the cue ball was placed for it; whether there was one."""
+        done = (self.recorder or self.match).redo()
+        while done and placing(self.match.now) and (self.recorder or self.match).redo():
+            pass
+        return done
 
 
 def placing(moment: Moment) -> bool:

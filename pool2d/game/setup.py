@@ -27,7 +27,8 @@ class Setup:
 
     `race` is how many frames win it; `breaks` who breaks after the first frame: "alternate", "winner" or
     "loser". `breaker` breaks first; COIN leaves that to a coin, and LAG to a lag. `seed` gives the coin,
-    which also says who lags first, and the racks. Without `names` the players are Player 1 and so on.
+    which also says who lags first, and the racks. Without `names` the players are Player 1 and so on. `players` are
+    the names of their files for those who are no people, "" for a person; without any, all are people.
     """
 
     game: str = "practice"
@@ -37,10 +38,23 @@ class Setup:
     breaks: str = ALTERNATE
     breaker: int = COIN
     seed: int = 0
+    players: tuple[str, ...] = ()
 
     def as_dict(self) -> dict[str, Any]:
-        """The setup in JSON's types; `setup_of` reads it."""
-        return {**asdict(self), "options": dict(self.options), "names": list(self.names)}
+        """The setup in JSON's types; `setup_of` reads it. A match of people says nothing of players."""
+        data = {**asdict(self), "options": dict(self.options), "names": list(self.names), "players": list(self.players)}
+        if not self.players:
+            del data["players"]
+        return data
+
+    def is_person(self, player: int) -> bool:
+        """Whether a person plays on this side; nobody's side, -1, is no person's."""
+        return player >= 0 and not (self.players and self.players[player])
+
+    @property
+    def watched(self) -> bool:
+        """Whether no person plays."""
+        return bool(self.players) and all(self.players)
 
 
 def can_lag(rules: type[Rules[Any]] | Rules[Any], table: Table) -> bool:
@@ -54,12 +68,15 @@ def setup_of(data: Mapping[str, Any], source: str) -> Setup:
     for key, value in data.items():
         if key not in known:
             raise InputError(source, key, value, suggest(key, known))
-    for key, kind in (("options", dict), ("names", list), ("game", str), ("breaks", str)):
+    for key, kind in (("options", dict), ("names", list), ("players", list), ("game", str), ("breaks", str)):
         if not isinstance(data.get(key, kind()), kind):
             raise InputError(source, key, data[key], f"allowed is a {kind.__name__}")
     for name in data.get("names", ()):
         _check_name(name, source)
-    return Setup(**{**data, "names": tuple(data.get("names", ()))})
+    lists = {key: tuple(data.get(key, ())) for key in ("names", "players")}
+    for name in lists["players"]:
+        _check_player(name, source)
+    return Setup(**{**data, **lists})
 
 
 def checked(setup: Setup, rules: Rules[Any], table: Table) -> Setup:
@@ -81,9 +98,18 @@ def checked(setup: Setup, rules: Rules[Any], table: Table) -> Setup:
         raise InputError("match", "names", names, f"allowed are {players} names")
     for name in names:
         _check_name(name, "match")
-    return replace(setup, names=names)
+    if setup.players and len(setup.players) != players:
+        raise InputError("match", "players", setup.players, f"allowed are {players} names, or none")
+    for name in setup.players:
+        _check_player(name, "match")
+    return replace(setup, names=names, players=setup.players if any(setup.players) else ())
 
 
-def _check_name(name: object, source: str) -> None:
+def _check_player(name: object, source: str) -> None:
+    if name != "":
+        _check_name(name, source, "players")
+
+
+def _check_name(name: object, source: str, key: str = "names") -> None:
     if not isinstance(name, str) or not name.strip() or not name.isprintable() or len(name) > _NAME:
-        raise InputError(source, "names", name, f"allowed is a text of up to {_NAME} printable characters")
+        raise InputError(source, key, name, f"allowed is a text of up to {_NAME} printable characters")

@@ -206,3 +206,65 @@ def test_undo_and_redo_pass_over_placements(table: Table) -> None:
     assert session.redo() and session.match.now is fouled
     assert session.redo() and session.match.now is last
     assert not session.redo()
+
+
+def against(table: Table, *players: str, breaker: int = 0, race: int = 1) -> Session:
+    """Nine-ball between people and players."""
+    return Session(Match(table, Setup("nine-ball", race=race, breaker=breaker, players=players)))
+
+
+# A stroke that touches nothing: a foul, after which the other has the cue ball in hand.
+_AIR = Shot(180.0, 0.3)
+
+
+def test_undo_goes_back_to_the_last_decision_of_a_persons_and_redo_forth_to_the_next(table: Table) -> None:
+    session = against(table, "", "club")
+    session.play(_AIR)
+    before = session.match.now
+    assert not session.persons_turn
+    session.place(0.4, 0.4)
+    session.play(_AIR)
+    after = session.match.now
+    assert session.persons_turn
+    assert session.undo()
+    assert len(session.match.history) == 1
+    assert session.redo()
+    assert session.match.now is after
+    # In the middle of the other's turn: only the person's own stroke is taken back.
+    session = against(table, "", "club")
+    session.play(_AIR)
+    assert session.undo()
+    assert len(session.match.history) == 1 and before.shooter == 0
+    assert not session.undo()
+
+
+def test_what_a_player_did_before_any_person_is_not_taken_back(table: Table) -> None:
+    session = against(table, "club", "")
+    session.play(_AIR)
+    assert session.persons_turn
+    assert not session.undo()
+    session.play(_AIR)
+    assert session.undo()
+    assert len(session.match.history) == 2 and session.persons_turn
+
+
+def test_between_players_each_stroke_is_taken_back(table: Table) -> None:
+    session = against(table, "club", "club", race=2)
+    session.play(_AIR)
+    session.play(_AIR)
+    assert session.undo()
+    assert len(session.match.history) == 2
+    assert session.redo()
+    session.concede(0)
+    assert not session.persons_turn
+
+
+def test_a_person_gives_up_for_themselves_and_goes_on_between_frames(table: Table) -> None:
+    session = against(table, "", "club", race=2)
+    session.play(_AIR)
+    assert (session.ask.player, session.gives_up) == (1, 0)
+    session.concede(session.gives_up)
+    assert session.match.frames == (0, 1)
+    assert session.persons_turn
+    assert against(table, "club", "club").gives_up == 0
+    assert Session(Match(table, Setup("nine-ball", breaker=1))).gives_up == 1

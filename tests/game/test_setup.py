@@ -29,6 +29,8 @@ from pool2d.game.setup import WINNER, Setup, setup_of
         ({"names": ("Ann",)}, "allowed are 2 names"),
         ({"names": ("Ann", "B\nb")}, "printable"),
         ({"names": ("Ann", " ")}, "printable"),
+        ({"players": ("club",)}, "players = .*allowed are 2 names, or none"),
+        ({"players": ("", "a\nb")}, "players = .*printable"),
     ],
 )
 def test_bad_setups_are_refused(table: Table, changed: dict[str, object], words: str) -> None:
@@ -39,10 +41,23 @@ def test_bad_setups_are_refused(table: Table, changed: dict[str, object], words:
 def test_a_setup_comes_back_from_json() -> None:
     setup = Setup("nine-ball", {"three_foul": "no"}, ("Ann", "Bob"), 5, WINNER, 1, 7)
     assert setup_of(json.loads(json.dumps(setup.as_dict())), "header") == setup
+    with pytest.raises(InputError, match="players = 3"):
+        setup_of({"players": ["", 3]}, "header")
     with pytest.raises(InputError, match="did you mean race"):
         setup_of({"racee": 1}, "header")
     with pytest.raises(InputError, match="names = 3"):
         setup_of({"names": 3}, "header")
+
+
+def test_who_is_no_person_is_kept_and_people_are_not_spoken_of(table: Table) -> None:
+    setup = Match(table, Setup("nine-ball", players=("", "club"))).setup
+    assert setup_of(json.loads(json.dumps(setup.as_dict())), "header") == setup
+    assert [setup.is_person(player) for player in (-1, 0, 1)] == [False, True, False]
+    assert not setup.watched
+    assert replace(setup, players=("club", "club")).watched
+    people = Match(table, Setup("nine-ball", players=("", ""))).setup
+    assert people.players == () and "players" not in people.as_dict()
+    assert people.is_person(1) and not people.watched
 
 
 @pytest.mark.parametrize(
