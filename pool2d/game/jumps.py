@@ -18,6 +18,8 @@ from ..table.table import Table
 # A ball is passed over where it is covered this much in plan, m: a ball on the cloth comes no nearer, so that what is
 # less is no jump but a hop that went by.
 COVERED = 2e-4
+# Flights are as high as they are told to be within this, m.
+_HAIR = 1e-9
 # A hop lower than this is not seen, m.
 SEEN = 5e-3
 
@@ -88,6 +90,9 @@ def _passes(table: Table, rollout: Rollout, flight: Flight) -> Iterator[_Pass]:
         if other.id != mover.id:
             its_own = table.body_of(other)[0]
             reach = radius + its_own - COVERED
+            # So much higher than the other's its centre has to be where they are that near: a small hop never is.
+            if flight.apex + radius - its_own < math.sqrt(COVERED * (radius + its_own + reach)) - _HAIR:
+                continue
             for motion, begin, end in pieces(rollout.tracks.get(other.id, ()), flight.start, flight.end):
                 passed = _covered(rollout.ball_at(mover.id, begin), motion, begin, end, reach)
                 if passed is not None:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from ..physics.event import Event
 from ..physics.motion import Motion
 from ..physics.rollout import Rollout
-from ..physics.values import MISCUE, PUSH, Ball
+from ..physics.values import MISCUE, PUSH, RESTING, Ball
 from ..table.arrivals import FROZEN, Arrivals, pieces
 from ..table.table import Table
 from .jumps import jumps, scooped
@@ -223,6 +223,9 @@ class _Reader:
 
 def _span(track: list[Motion], end: float, u: float = 1.0, v: float = 0.0) -> tuple[float, float]:
     """The least and greatest ux + vy of a ball up to a time."""
+    if len(track) == 1 and track[0].phase == RESTING:
+        place = u * track[0].x + v * track[0].y
+        return place, place
     found = []
     for motion, a, b in pieces(track, 0.0, end):
         place, speed, bend = (u * along + v * across for along, across in _xy(motion))

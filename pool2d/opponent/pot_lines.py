@@ -8,7 +8,7 @@ what the hand's errors come to at the ball (the further the cue ball is off and 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -56,15 +56,16 @@ def spread(hand: Hand, radius: float) -> float:
 
 def pot_lines(
     table: Table, layout: Layout, cue: Ball, balls: Collection[str], hand: Hand, anywhere: bool = False
-) -> list[PotLine]:
+) -> Iterator[PotLine]:
     """The pots of these balls that lie open to a cue ball, the likeliest first.
 
     With `anywhere` the cue ball may be put wherever it suits: all that counts is the ball's own way to the pocket.
+    Whether a cushion keeps the cue ball from its ball is looked at last, as it takes the longest.
     """
     seen = mouths(table)
     names = [ball for ball in balls if ball != cue.id]
     if not names or not seen.names:
-        return []
+        return
     others = [ball for ball in layout.on_table() if ball.id != cue.id]
     places = np.array([(layout[name].x, layout[name].y) for name in names])
     stand = np.array([(ball.x, ball.y) for ball in others])
@@ -90,12 +91,18 @@ def pot_lines(
     strays = _strays(spread(hand, radius), lead, cut, touch)
     found = []
     for i, j in zip(*np.nonzero(free), strict=True):
-        x, y = float(ghost[i, j, 0]), float(ghost[i, j, 1])
-        if table.on_cloth(x, y) and table.element_gap(x, y, radius)[0] > -_PRESSED:
-            chance = math.erf(half[i, j] / (math.sqrt(2.0) * strays[i, j]))
-            way, thick, far, on = (float(value[i, j]) for value in (direction, cut, lead, run))
-            found.append(PotLine(names[i], seen.names[j], way, thick, far, on, chance))
-    return sorted(found, key=lambda way: -way.chance)
+        chance = math.erf(half[i, j] / (math.sqrt(2.0) * strays[i, j]))
+        way, thick, far, on = (float(value[i, j]) for value in (direction, cut, lead, run))
+        found.append(PotLine(names[i], seen.names[j], way, thick, far, on, chance))
+    for line in sorted(found, key=lambda line: -line.chance):
+        if _has_room(table, layout[line.ball], line.direction, touch, radius):
+            yield line
+
+
+def _has_room(table: Table, ball: Ball, direction: float, touch: float, radius: float) -> bool:
+    """Whether a cue ball has room where it meets a ball that it sends in a direction."""
+    x, y = ball.x - touch * math.cos(direction), ball.y - touch * math.sin(direction)
+    return table.on_cloth(x, y) and table.element_gap(x, y, radius)[0] > -_PRESSED
 
 
 def _strays(aim: float, lead: Floats, cut: Floats, touch: float) -> Floats:

@@ -77,10 +77,10 @@ class Turn:
         """The pockets that count."""
         return self.rules.goals(self.state, self.me)
 
-    def lines(self, layout: Layout, cue: str) -> list[PotLine]:
-        """The pots that lie open to a cue ball."""
+    def lines(self, layout: Layout, cue: str) -> Iterator[PotLine]:
+        """The pots that lie open to a cue ball, the likeliest first."""
         found = pot_lines(self.table, layout, layout[cue], self.on(cue), self.player.hand)
-        return [line for line in found if line.pocket in self.goals]
+        return (line for line in found if line.pocket in self.goals)
 
     def chosen(self, choice: Choice) -> Ruling:
         """What follows from a choice."""
@@ -109,4 +109,4 @@ class Turn:
 
     def _open(self, place: tuple[float, float], cue: str) -> float:
         """The likeliest pot from a place."""
-        return max((line.chance for line in self.lines(put(self.layout, cue, place), cue)), default=0.0)
+        return next((line.chance for line in self.lines(put(self.layout, cue, place), cue)), 0.0)

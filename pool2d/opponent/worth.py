@@ -12,10 +12,10 @@ Games that are scored are worth the points ahead instead, and those that a run f
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import combinations
+from itertools import combinations, islice
 from typing import Any, Final
 
 from ..game.rules import CHOOSE, Choice, Rules, Ruling, State
@@ -74,7 +74,7 @@ class Scale:
         if not self.rules.table.geometry.pockets:
             return gathered(ruling.layout, self.rules.table.knobs.table.length, self.rate)
         share = 1.0 if ruling.ask.where in ("", "anywhere") else _BEHIND
-        return max(FLUKE, either(share * line.chance for line in self._lines(ruling)[:_COUNT]))
+        return max(FLUKE, either(share * line.chance for line in islice(self._lines(ruling), _COUNT)))
 
     def win(self, mine: int, theirs: int) -> float:
         """W(mine, theirs) at the common rate."""
@@ -84,7 +84,7 @@ class Scale:
         """How many points a player is ahead."""
         return float(state.scores[player] - state.scores[self.rules.other(player)])
 
-    def _lines(self, ruling: Ruling) -> list[PotLine]:
+    def _lines(self, ruling: Ruling) -> Iterator[PotLine]:
         table, layout, ask = self.rules.table, ruling.layout, ruling.ask
         cue = layout[ask.ball or table.furniture.cue]
         in_hand = bool(ask.where) or cue.phase in GONE

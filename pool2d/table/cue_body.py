@@ -29,7 +29,7 @@ INF: Final = math.inf
 _COS: Final = math.cos(TAPER)
 _SIN: Final = math.sin(TAPER)
 # How exactly the highest place of an edge is found, as a part of its length; what it is worth is known far better.
-_ALONG: Final = 1e-8
+_ALONG: Final = 1e-5
 
 # A place on a level edge, by how far along it is, 0 to 1: x, y, and how they change with that.
 Way = Callable[[float], tuple[float, float, float, float]]
@@ -62,7 +62,9 @@ class CueBody:
 
         It has no end where the cue is in it until the sphere's centre is no longer behind the ball.
         """
-        nearest = self._nearest(x, y, z, radius)
+        # Beside the cue at every elevation: nowhere that it reaches is it thicker than this.
+        beside = abs(y - self.side) > radius + BUTT + radius * SLOPE
+        nearest = None if beside else self._nearest(x, y, z, radius)
         if nearest is None:
             return None
         low = math.atan2(z, x) - UPRIGHT

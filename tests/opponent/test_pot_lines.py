@@ -64,8 +64,7 @@ def test_an_aim_is_refined_until_the_ball_goes_where_it_is_meant(height: float, 
     cue, ball = Ball("cue", 1.0, 0.5), Ball("1", 1.6, 0.8)
     layout = Layout([cue, ball])
     way = next(way for way in pot_lines(TABLE, layout, cue, ("1",), HAND) if way.pocket == "top-right")
-    shot = stroked(TABLE, layout, "cue", way, 1.3, height, side)
-    assert shot is not None
+    (shot,) = stroked(TABLE, layout, "cue", way, height, side, (1.3,))
 
     def met(event: Event) -> bool:
         return any("cue" in pair for pair in event.pairs)
@@ -78,7 +77,6 @@ def test_an_aim_is_refined_until_the_ball_goes_where_it_is_meant(height: float, 
 
 def test_a_ball_that_cannot_be_met_gives_no_aim() -> None:
     layout = Layout([Ball("cue", 1.0, 0.5), Ball("1", 1.6, 0.8), Ball("2", 1.3, 0.65)])
-    way = pot_lines(TABLE, layout.without("2"), layout["cue"], ("1",), HAND)[0]
-    shot = stroked(TABLE, layout.without("2"), "cue", way, 1.3, 0.0, 0.0)
-    assert shot is not None
+    way = next(pot_lines(TABLE, layout.without("2"), layout["cue"], ("1",), HAND))
+    (shot,) = stroked(TABLE, layout.without("2"), "cue", way, 0.0, 0.0, (1.3,))
     assert aimed_at(TABLE, layout, shot, "1", way.direction, way.lead) is None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 
 from ...game.actions import Stroke
 from ...physics.values import Layout, Shot
@@ -13,7 +14,7 @@ from ..turn import Turn
 from .breaks import breaks
 from .calling import called
 from .kicks import kicks
-from .pots import pots, spins
+from .pots import pots
 from .safeties import safeties
 
 
@@ -30,9 +31,8 @@ def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
         yield from breaks(turn.table, layout, turn.ask, cue, turn.player.taste.pace)
         return
     see, on = turn.player.judgement, turn.on(cue)
-    lines = turn.lines(layout, cue)
-    tips = spins(int(see.heights), int(see.sides), int(see.paces))
-    yield from pots(turn.table, layout, turn.ask, cue, lines[: int(see.ways)], tips)
+    lines = list(islice(turn.lines(layout, cue), int(see.ways)))
+    yield from pots(turn.table, layout, turn.ask, cue, lines, see)
     yield from safeties(turn.table, layout, turn.ask, cue, on, int(see.safeties))
     if not lines:
         yield from kicks(turn.table, layout, turn.ask, cue, on, int(see.kicks))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import islice
 from typing import Final
 
 from ...game.rules import Ask
@@ -38,7 +39,7 @@ def _along(table: Table, ask: Ask) -> Iterator[tuple[float, float]]:
 
 
 def _behind(table: Table, layout: Layout, cue: Ball, on: list[str], hand: Hand) -> Iterator[tuple[float, float]]:
-    for way in pot_lines(table, layout, cue, on, hand, anywhere=True)[:_BALLS]:
+    for way in islice(pot_lines(table, layout, cue, on, hand, anywhere=True), _BALLS):
         target, touch = layout[way.ball], table.touch(cue, layout[way.ball])
         ghost = (target.x - touch * math.cos(way.direction), target.y - touch * math.sin(way.direction))
         for cut in _CUTS:

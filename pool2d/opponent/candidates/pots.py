@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import Final
 
 from ...game.actions import Stroke
@@ -12,6 +13,7 @@ from ...physics.values import Layout, Shot
 from ...table.table import Table
 from ..aiming import aimed_at
 from ..candidate import Candidate
+from ..player import Judgement
 from ..pot_lines import PotLine
 from .calling import called
 from .strokes import cleared
@@ -47,37 +49,37 @@ def given(table: Table, offset: float) -> float:
 
 
 def stroked(
-    table: Table, layout: Layout, cue: str, line: PotLine, pace: float, height: float, side: float
-) -> Shot | None:  # fmt: skip
-    """The shot that pots a ball in that line, refined; None where the cue cannot get at it."""
+    table: Table, layout: Layout, cue: str, line: PotLine, height: float, side: float, paces: Sequence[float]
+) -> Iterator[Shot]:
+    """The shots that pot a ball in that line at several paces, refined; none where the cue cannot get at it."""
     target, touch = layout[line.ball], table.touch(layout[cue], layout[line.ball])
     x = target.x - touch * math.cos(line.direction) - layout[cue].x
     y = target.y - touch * math.sin(line.direction) - layout[cue].y
-    speed = min(FASTEST, pace * needed(table, line, height, side))
-    shot = cleared(table, layout, Shot(math.degrees(math.atan2(y, x)), speed, side, height, ball=cue))
-    return None if shot is None else aimed_at(table, layout, shot, line.ball, line.direction, line.lead)
+    shot = cleared(table, layout, Shot(math.degrees(math.atan2(y, x)), 1.0, side, height, ball=cue))
+    if shot is None:
+        return
+    speed = needed(table, line, height, side)
+    for pace in paces:
+        meant = replace(shot, speed=min(FASTEST, pace * speed))
+        refined = aimed_at(table, layout, meant, line.ball, line.direction, line.lead)
+        if refined is not None:
+            shot = refined
+            yield refined
 
 
-def spins(heights: int, sides: int, paces: int) -> list[tuple[float, float, float]]:
-    """The (pace, height, side) that a player knows of, the plain ones first."""
-    found = [
-        (pace, height, side) for side in SIDES[:sides] for height in HEIGHTS[:heights] for pace in PACES[:paces]
-    ]  # fmt: skip
-    return sorted(found, key=lambda one: (one[2] != 0.0, one[1] != 0.0))
+def spins(heights: int, sides: int) -> list[tuple[float, float]]:
+    """The (height, side) that a player knows of, the plain ones first."""
+    found = [(height, side) for side in SIDES[:sides] for height in HEIGHTS[:heights]]
+    return sorted(found, key=lambda one: (one[1] != 0.0, one[0] != 0.0))
 
 
 def pots(
-    table: Table,
-    layout: Layout,
-    ask: Ask,
-    cue: str,
-    found: list[PotLine],
-    tips: list[tuple[float, float, float]],
+    table: Table, layout: Layout, ask: Ask, cue: str, lines: Iterable[PotLine], see: Judgement
 ) -> Iterator[Candidate]:
-    """A plan for each line and each (pace, height, side)."""
-    for line in found:
-        for pace, height, side in tips:
-            shot = stroked(table, layout, cue, line, pace, height, side)
-            if shot is not None:
-                call = called(ask, line.ball, line.pocket)
+    """A candidate for each line, each spin and each pace that a player knows of."""
+    paces = PACES[: int(see.paces)]
+    for line in lines:
+        call = called(ask, line.ball, line.pocket)
+        for height, side in spins(int(see.heights), int(see.sides)):
+            for shot in stroked(table, layout, cue, line, height, side, paces):
                 yield Candidate("pot", Stroke(shot, call), line.ball, line.pocket, prior=line.chance)
