@@ -2,10 +2,10 @@
 
     python -m benchmarks.bad_inputs --inputs 10000
 
-Good presets, conditions, scenarios, studies and their results, positions, records, settings, drills and best results
-are spoiled: cut, noise put in, lines lost or repeated, values put in place of others. Each goes through the command
-line or the reader that the window uses. Nothing but InputError may come of it: a status of 0, 1 or 2, no more than one
-line of complaint, and nothing printed that a terminal would obey.
+Good presets, conditions, scenarios, studies and their results, positions, records, settings, drills, players and best
+results are spoiled: cut, noise put in, lines lost or repeated, values put in place of others. Each goes through the
+command line or the reader that the window uses. Nothing but InputError may come of it: a status of 0, 1 or 2, no more
+than one line of complaint, and nothing printed that a terminal would obey.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from typing import NamedTuple
 
 from pool2d import Ball, InputError, Layout, Shot, load_table, simulate_many
 from pool2d.cli import main as command
-from pool2d.config.catalogue import CONDITIONS, DRILLS, TABLES, find, shipped
+from pool2d.config.catalogue import CONDITIONS, DRILLS, PLAYERS, TABLES, find, shipped
 from pool2d.config.settings import Store
 from pool2d.game.actions import Concede, Stroke
 from pool2d.game.drills import best_results, drill_file
@@ -37,6 +37,7 @@ from pool2d.game.records.record import seal
 from pool2d.game.records.recorder import record
 from pool2d.game.rules.report import Call
 from pool2d.game.setup import Setup
+from pool2d.opponent.player_file import load_player
 from pool2d.study.results import Results, header
 from pool2d.study.study_file import load_study
 from pool2d.table.position_text import write
@@ -134,6 +135,7 @@ class Inputs:
             "record": (".jsonl", [self._record()], self._replay),
             "settings": (".toml", [_SETTINGS], self._settings),
             "drill": (".toml", self._files(DRILLS), self._drill),
+            "player": (".toml", self._files(PLAYERS), self._player),
             "best": (".json", [b'{"stop-shot": 3, "draw": 5}'], self._best),
         }
 
@@ -206,6 +208,10 @@ class Inputs:
 
     def _drill(self, path: Path) -> int:
         drill_file.load(str(path))
+        return 0
+
+    def _player(self, path: Path) -> int:
+        load_player(str(path))
         return 0
 
     def _best(self, path: Path) -> int:

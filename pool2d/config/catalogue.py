@@ -9,8 +9,8 @@ from ..errors import InputError, suggest
 from .assets import asset, assets
 from .folders import data_folder
 
-TABLES, CONDITIONS, DRILLS, POSITIONS = "tables", "conditions", "drills", "positions"
-_WHAT = {TABLES: "table", CONDITIONS: "conditions", DRILLS: "drill", POSITIONS: "position"}
+TABLES, CONDITIONS, DRILLS, POSITIONS, PLAYERS = "tables", "conditions", "drills", "positions", "players"
+_WHAT = {TABLES: "table", CONDITIONS: "conditions", DRILLS: "drill", POSITIONS: "position", PLAYERS: "player"}
 # Names that Windows keeps for devices, whatever their ending.
 _DEVICES = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 

@@ -1,10 +1,10 @@
-"""A player as a file: name, hand, judgement and taste."""
+"""A player: name, hand, judgement and taste, all of them knobs, so that a file may set them (`player_file`)."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from ..config.knobs import knob
+from ..config.knobs import knob, text
 from .stray import Hand
 
 
@@ -32,11 +32,36 @@ class Taste:
 
 
 @dataclass(frozen=True, slots=True)
-class Player:
-    """Somebody to play against."""
+class Sayings:
+    """What a player says of himself or herself, by language."""
 
-    name: str
-    title: str = ""
+    en: str = text("", 200, "a line or two in English")
+    de: str = text("", 200, "a line or two in German")
+
+
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """What a player does, as `pool2d players --measure` found it: nothing, where `when` is empty."""
+
+    when: str = text("", 40, "the day on which that was measured")
+    how: str = text("", 200, "the command that measured it, and by which version")
+    balls: float = knob(0.0, 0.0, 100.0, "", "balls made in ten racks of the drill")
+    pots: float = knob(0.0, 0.0, 100.0, "%", "pots that came off, of the fixed set")
+    run: float = knob(0.0, 0.0, 1000.0, "", "balls that a visit to the table makes at nine-ball, from the break on")
+    break_and_runs: float = knob(0.0, 0.0, 100.0, "%", "racks of nine-ball broken and run out")
+    three_cushion: float = knob(0.0, 0.0, 1000.0, "", "points to the inning at three-cushion")
+    snooker_break: float = knob(0.0, 0.0, 155.0, "", "the highest break at snooker")
+
+
+@dataclass(frozen=True, slots=True)
+class Player:
+    """Somebody to play against; `rank` says where among the others, the weakest first."""
+
+    name: str = text("", 40, "what others call the player")
+    title: str = text("", 40, "how good people are who play like that")
     hand: Hand = field(default_factory=Hand)
     judgement: Judgement = field(default_factory=Judgement)
     taste: Taste = field(default_factory=Taste)
+    rank: float = knob(50.0, 0.0, 100.0, "", "where the player stands among the others, the weakest at 0")
+    words: Sayings = field(default_factory=Sayings)
+    measured: Rates = field(default_factory=Rates)
