@@ -12,6 +12,7 @@ from ..lazy import fetched
 if TYPE_CHECKING:
     from .actions import Concede, NextFrame, Stroke
     from .match import Match
+    from .reasons import Fear, Reasons, Thought
     from .referee import observe
     from .rules import GAMES, game, games_for
     from .rules.base import Rules
@@ -24,6 +25,7 @@ else:
         {
             "actions": ("Concede", "NextFrame", "Stroke"),
             "match": ("Match",),
+            "reasons": ("Fear", "Reasons", "Thought"),
             "referee": ("observe",),
             "rules": ("GAMES", "game", "games_for"),
             "rules.base": ("Rules",),
@@ -40,14 +42,17 @@ __all__ = [
     "Choice",
     "Concede",
     "Contact",
+    "Fear",
     "Match",
     "NextFrame",
+    "Reasons",
     "Report",
     "Rules",
     "Ruling",
     "Setup",
     "State",
     "Stroke",
+    "Thought",
     "game",
     "games_for",
     "observe",

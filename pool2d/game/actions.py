@@ -10,16 +10,18 @@ from ..config.fields import value_of
 from ..errors import InputError, suggest
 from ..physics.values import Layout, Shot
 from ..table.position_text import Position, read, read_shot, write, write_shot
+from .reasons import Reasons, reasons_of
 from .rules import Choice
 from .rules.report import Call
 
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
-    """A shot, and what was called before it."""
+    """A shot, and what was called before it; `why` whoever thought of it meant to play it, if that is told."""
 
     shot: Shot
     call: Call = field(default_factory=Call)
+    why: Reasons | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +57,7 @@ ActionKind: TypeAlias = Literal["stroke", "choose", "concede", "stalemate", "nex
 def as_dict(action: Action) -> dict[str, Any]:
     """The action in JSON's types; `from_dict` reads it."""
     if isinstance(action, Stroke):
-        call = {name: value for name, value in action.call.as_dict().items() if value}
-        return _line("stroke", shot=write_shot(action.shot), **({"call": call} if call else {}))
+        return _line("stroke", shot=write_shot(action.shot), **_said(action))
     if isinstance(action, Choice):
         place = {"x": action.x, "y": action.y} if action.key == "place" else {}
         return _line("choose", key=action.key, **place)
@@ -67,6 +68,13 @@ def as_dict(action: Action) -> dict[str, Any]:
     return _line("stalemate" if isinstance(action, Stalemate) else "next")
 
 
+def _said(stroke: Stroke) -> dict[str, Any]:
+    """What was called, and why it was played, as far as anything is told of them."""
+    call = {name: value for name, value in stroke.call.as_dict().items() if value}
+    why = None if stroke.why is None else stroke.why.as_dict()
+    return {name: said for name, said in (("call", call), ("why", why)) if said}
+
+
 def _line(do: ActionKind, **what: object) -> dict[str, Any]:
     return {"do": do, **what}
 
@@ -75,12 +83,7 @@ def from_dict(data: Mapping[str, Any], source: str) -> Action:
     """The action that `as_dict` made it of; raises InputError."""
     do: ActionKind | None = data.get("do")
     if do == "stroke":
-        call = value_of(data, "call", dict, source, {})
-        known = Call().as_dict()
-        for name, value in call.items():
-            if name not in known or type(value) is not type(known[name]):
-                raise InputError(source, f"call.{name}", value, "allowed are ball, pocket, safety and push")
-        return Stroke(read_shot(value_of(data, "shot", str, source), source), Call(**call))
+        return Stroke(read_shot(value_of(data, "shot", str, source), source), _call(data, source), _why(data, source))
     if do == "choose":
         x, y = (value_of(data, name, float, source, 0.0) for name in ("x", "y"))
         return Choice(value_of(data, "key", str, source), x, y)
@@ -94,3 +97,16 @@ def from_dict(data: Mapping[str, Any], source: str) -> Action:
     if do in ("next", "stalemate"):
         return NextFrame() if do == "next" else Stalemate()
     raise InputError(source, "do", do, suggest(str(do), get_args(ActionKind)))
+
+
+def _call(data: Mapping[str, Any], source: str) -> Call:
+    call = value_of(data, "call", dict, source, {})
+    known = Call().as_dict()
+    for name, value in call.items():
+        if name not in known or type(value) is not type(known[name]):
+            raise InputError(source, f"call.{name}", value, "allowed are ball, pocket, safety and push")
+    return Call(**call)
+
+
+def _why(data: Mapping[str, Any], source: str) -> Reasons | None:
+    return reasons_of(value_of(data, "why", dict, source), source) if "why" in data else None

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
 
 from ..game.actions import Stroke
+from ..game.reasons import StrokeKind
 from ..game.rules import Choice
-
-CandidateKind: TypeAlias = Literal[
-    "pot", "combination", "carom", "bank", "kick", "cannon", "safety", "break", "push", "choice", "hope"
-]  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +16,7 @@ class Candidate:
     `place` puts a cue ball that is in hand. `prior` is how likely geometry holds it to come off.
     """
 
-    kind: CandidateKind
+    kind: StrokeKind
     stroke: Stroke
     ball: str = ""
     pocket: str = ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from ..game.actions import Action, Stroke
@@ -11,6 +11,7 @@ from ..game.rules import CHOOSE, Choice, Rules, Ruling
 from .candidates.find import anything, candidates
 from .judgement import Weighed, best, glance
 from .player import Player
+from .reasoning import reasons
 from .turn import Turn
 
 
@@ -37,7 +38,7 @@ def decide(rules: Rules[Any], ruling: Ruling, player: Player, seed: str) -> Deci
     value, choice = _option(turn) if turn.ask.options else (0.0, None)
     if choice is not None and value > weighed[0].value:
         return Decision((choice,), tuple(weighed))
-    return Decision(_actions(weighed[0]), tuple(weighed))
+    return Decision(_actions(weighed), tuple(weighed))
 
 
 def _option(turn: Turn) -> tuple[float, Choice]:
@@ -52,6 +53,7 @@ def _weighed(turn: Turn, rng: random.Random) -> list[Weighed]:
     return found or [glance(turn, anything(turn)) or Weighed(anything(turn), 0.0, 0.0)]
 
 
-def _actions(weighed: Weighed) -> tuple[Action, ...]:
-    place, stroke = weighed.candidate.place, weighed.candidate.stroke
+def _actions(weighed: list[Weighed]) -> tuple[Action, ...]:
+    """The best of what was weighed, with the reasons."""
+    place, stroke = weighed[0].candidate.place, replace(weighed[0].candidate.stroke, why=reasons(weighed))
     return (stroke,) if place is None else (place, stroke)

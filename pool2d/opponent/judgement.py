@@ -11,8 +11,11 @@ from typing import NamedTuple
 from ..errors import BudgetError
 from ..game.actions import Stroke
 from ..game.judging import Judged, judged
+from ..game.reasons import Fear
+from ..game.rules import Note
 from ..physics.values import Layout
 from .candidate import Candidate
+from .fears import fears, wrong
 from .stray import strayed
 from .turn import Turn
 
@@ -21,12 +24,13 @@ _QUIET = ("safety", "kick", "push", "break", "hope")
 
 
 class Trial(NamedTuple):
-    """What came of one stroke: what it is worth, and whether it came off, was a foul, or lost the turn."""
+    """What came of one stroke: its worth, whether it came off, was a foul, or lost the turn, and what was `wrong`."""
 
     value: float
     came_off: bool
     foul: bool
     lost: bool
+    wrong: Note | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +38,7 @@ class Weighed:
     """A candidate and what it is worth: the `value`, as `Scale` has it, and the `chance` of its coming off.
 
     It was played in mind `runs` times; `fouls` and `lost` are the shares of those that were fouls, and that brought the
-    other player to the table.
+    other player to the table; `fears` what went wrong most often.
     """
 
     candidate: Candidate
@@ -43,6 +47,7 @@ class Weighed:
     runs: int = 1
     fouls: float = 0.0
     lost: float = 0.0
+    fears: tuple[Fear, ...] = ()
 
 
 def played(turn: Turn, candidate: Candidate, stroke: Stroke) -> Judged | None:
@@ -72,8 +77,9 @@ def _trial(turn: Turn, candidate: Candidate, stroke: Stroke) -> Trial | None:
     found = played(turn, candidate, stroke)
     if found is None:
         return None
-    lost = found.ruling.ask.player != turn.me
-    return Trial(turn.worth_of(found.ruling), came_off(turn, candidate, found), found.ruling.foul, lost)
+    ruling, value, good = found.ruling, turn.worth_of(found.ruling), came_off(turn, candidate, found)
+    fault = wrong(turn, candidate, found, value, good)
+    return Trial(value, good, ruling.foul, ruling.ask.player != turn.me, fault)
 
 
 def glance(turn: Turn, candidate: Candidate) -> Weighed | None:
@@ -110,8 +116,10 @@ def _stray(turn: Turn, layout: Layout, candidate: Candidate, rng: random.Random)
 
 
 def _summed(turn: Turn, candidate: Candidate, outcomes: list[Trial]) -> Weighed:
-    value, chance, fouls, lost = (fmean(map(float, column)) for column in zip(*outcomes, strict=True))
-    return Weighed(candidate, value + _liking(turn, candidate), chance, len(outcomes), fouls, lost)
+    *columns, faults = zip(*outcomes, strict=True)
+    value, chance, fouls, lost = (fmean(map(float, column)) for column in columns)
+    value += _liking(turn, candidate)
+    return Weighed(candidate, value, chance, len(outcomes), fouls, lost, fears(faults))
 
 
 def _liking(turn: Turn, candidate: Candidate) -> float:

@@ -23,7 +23,7 @@ from ..actions import Stroke
 from ..match import Match, Moment, lagged
 from ..rules import AIM, CHOOSE, OVER, PLACE, Note, Ruling, State
 from ..rules import report as reports
-from ..rules.notes import ENGLISH
+from ..rules.notes import ENGLISH, note_of, written
 from ..rules.report import Contact, ContactKind, Report
 from ..rules.ruling import WRITTEN
 from ..tally import Tally
@@ -45,8 +45,8 @@ def as_dict(moment: Moment) -> dict[str, Any]:
         BALLS: write(moment.layout),
         GAME: moment.state.as_dict(),
         TALLIES: [asdict(tally) for tally in moment.tallies],
-        "notes": list(map(_note, ruling.notes)),
-        "fouls": list(map(_note, ruling.fouls)),
+        "notes": list(map(written, ruling.notes)),
+        "fouls": list(map(written, ruling.fouls)),
         "spotted": [[ball, list(place)] for ball, place in ruling.spotted],
         "points": list(ruling.points),
         TURN: [moment.breaker, moment.frame, moment.shooter],
@@ -186,23 +186,10 @@ def _tally(data: Any, source: str) -> Tally:
     return Tally(**data)
 
 
-def _note(note: Note) -> dict[str, Any]:
-    """A note without what it leaves out."""
-    plain = Note("").as_dict()
-    return {name: value for name, value in note.as_dict().items() if value != plain[name]}
-
-
 def _notes(data: Mapping[str, Any], key: str, source: str) -> tuple[Note, ...]:
-    plain = Note("").as_dict()
-    notes = []
-    for one in _list(data, key, source):
-        if not isinstance(one, dict) or any(type(one[name]) is not type(plain.get(name)) for name in one):
-            raise InputError(source, key, one, f"allowed are notes, of {', '.join(plain)}")
-        note = Note(**{**plain, **one})
-        # What a later version says may have no words here.
-        if note.key in ENGLISH:
-            notes.append(note)
-    return tuple(notes)
+    """The notes of a line, but for those that a later version says: they may have no words here."""
+    notes = [note_of(one, source, key) for one in _list(data, key, source)]
+    return tuple(note for note in notes if note.key in ENGLISH)
 
 
 def _spotted(data: Mapping[str, Any], source: str) -> tuple[tuple[str, tuple[float, float]], ...]:

@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from ...errors import InputError
+
 ENGLISH: dict[str, str] = {
     # Fouls.
     "foul.scratch": "the cue ball was pocketed",
@@ -97,6 +99,11 @@ ENGLISH: dict[str, str] = {
     "lag.jaws": "the ball lies between the jaws of a corner",
     "lag.won": "{player} wins the lag",
     "lag.again": "nobody has won the lag",
+    # What who plans a stroke fears of it.
+    "fear.frame": "the frame was lost",
+    "fear.left": "{player} was left a good shot",
+    "fear.missed": "the {ball} missed the pocket",
+    "fear.nothing": "nothing came of it",
     # What may be chosen, as short as a button wants it; after a colon comes what it is about.
     "choice.accept": "Play the balls as they lie",
     "choice.kitchen": "Cue ball to the kitchen",
@@ -140,6 +147,24 @@ class Note:
 
     def as_dict(self) -> dict[str, Any]:
         return asdict(self)
+
+
+def written(note: Note) -> dict[str, Any]:
+    """A note in JSON's types without what it leaves out; `note_of` reads it."""
+    return {name: value for name, value in note.as_dict().items() if value != _PLAIN[name]}
+
+
+def note_of(data: Any, source: str, key: str) -> Note:
+    """The note that `written` made it of; raises InputError naming `key` where it is none.
+
+    What a later version says may have no words in `ENGLISH`.
+    """
+    if not isinstance(data, dict) or any(type(data[name]) is not type(_PLAIN.get(name)) for name in data):
+        raise InputError(source, key, data, f"allowed are notes, of {', '.join(_PLAIN)}")
+    return Note(**{**_PLAIN, **data})
+
+
+_PLAIN = Note("").as_dict()
 
 
 def ball_name(ball: str) -> str:
