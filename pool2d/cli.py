@@ -156,6 +156,8 @@ def _replay(arguments: argparse.Namespace) -> int:
         return replay.to_gif(path, to_file(arguments.gif, "--gif"), number, to_size(arguments.size or "640x360"))
     if arguments.list:
         return replay.tell(path)
+    if arguments.why:
+        return replay.explain(path, number)
     return replay.show(path, number)
 
 
@@ -248,6 +250,7 @@ def _add_replay(commands: Any) -> None:
     parser.add_argument("file", metavar="FILE", help="a record")
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--list", action="store_true", help="list the shots and what came of them")
+    what.add_argument("--why", action="store_true", help="say why a shot was played, or with no --shot each")
     what.add_argument("--verify", action="store_true", help="play it again, and name where it first differs")
     what.add_argument("--png", metavar="DIR", help="write a shot as pictures, 25 a second")
     what.add_argument("--gif", metavar="FILE", help="write a shot as a moving picture")

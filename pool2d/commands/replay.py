@@ -1,12 +1,15 @@
-"""What `pool2d replay` does: show a record, list or verify it, or export a shot of it as pictures."""
+"""What `pool2d replay` does: show a record, list, explain or verify it, or export a shot of it as pictures."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from ..errors import InputError
+from ..game.actions import Stroke
+from ..game.explained import Voice, told
 from ..game.records.record import CHANGED, GONE, Record, load
 from ..game.records.replaying import BY_RECORD, RecordedShot, divergences, strokes
+from ..game.rules import say
 from . import terminal
 
 # Pictures per second: a GIF counts in hundredths.
@@ -79,12 +82,29 @@ def show(path: Path, number: int | None) -> int:
 
 def tell(path: Path) -> int:
     """List the strokes of a record."""
-    from ..game.rules import say
-
     for shot in strokes(load(path)):
         notes = " ".join(say(note, shot.match.names) for note in shot.moment.ruling.notes)
         terminal.tell(f"{shot.number:4}  {notes}{_otherwise(shot)}")
     return 0
+
+
+def explain(path: Path, number: int | None) -> int:
+    """Say why a stroke was played, or without a number every one; of people's strokes nothing is known."""
+    record = load(path)
+    for shot in strokes(record) if number is None else [shot_of(record, number)]:
+        terminal.tell(f"{shot.number:4}  {shot.match.names[shot.moment.shooter]}{_otherwise(shot)}")
+        for line in _reasons(shot):
+            terminal.tell(f"      {line}")
+    return 0
+
+
+def _reasons(shot: RecordedShot) -> list[str]:
+    """A stroke's reasons in lines, the first under each heading beginning with that."""
+    stroke, names = shot.moment.action, shot.match.names
+    voice = Voice(note=lambda note: say(note, names))
+    parts = told(shot.match, shot.before, stroke, voice) if isinstance(stroke, Stroke) else []
+    headed = [zip((voice.say(key), *("",) * len(lines)), lines, strict=False) for key, lines in parts]
+    return [f"{name:8}  {line}" for part in headed for name, line in part] or [voice.say("untold")]
 
 
 def _otherwise(shot: RecordedShot) -> str:

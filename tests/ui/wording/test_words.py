@@ -16,6 +16,7 @@ from pool2d.config.reader import read_toml
 from pool2d.config.settings import GUIDES, Settings
 from pool2d.fit.measurements import MEASUREMENTS
 from pool2d.game.drills.drill import MISSES
+from pool2d.game.explained import ENGLISH as REASONS
 from pool2d.game.rules import GAMES
 from pool2d.game.rules.notes import ENGLISH as RULINGS
 from pool2d.game.setup import BREAKS
@@ -44,6 +45,7 @@ ELSEWHERE = (
     | {f"game.{name}": rules.title for name, rules in GAMES.items()}
     | {f"option.{GAMES[game].options_type.home(name)}.{name}_hint": knob.doc for (game, name), knob in OPTIONS.items()}
     | {f"ruling.{key}": text for key, text in RULINGS.items()}
+    | {f"why.{key}": text for key, text in REASONS.items()}
     | {
         f"drills.{name}.{part}": str(read_toml(catalogue.find(catalogue.DRILLS, name))[part])
         for name in catalogue.shipped(catalogue.DRILLS)
