@@ -7,12 +7,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from pool2d import Ball
+from pool2d import Ball, Shot
 from pool2d.physics.body import Body
 from pool2d.physics.detect import Rail
 from pool2d.physics.materials import materials
-from pool2d.physics.params import Physics
+from pool2d.physics.params import Cue, Physics
 from pool2d.physics.springs import BallSpring, NoseSpring, depth, duration, pace, stay, stiffness, yielding
+from pool2d.physics.strike import TipSpring, strike
 
 MATERIALS = materials(Physics())
 SIZES = [(0.028575, 0.17, 0.028575, 0.17), (0.02, 0.1, 0.05, 1.2), (0.06, 0.3, 0.015, 0.05)]
@@ -89,6 +90,63 @@ def test_an_approach_to_a_cushion_is_the_speed_across_and_can_be_taken_off() -> 
         assert spring.closing() == pytest.approx(into - 0.3, abs=1e-14)
         assert math.cos(turn) * ball.vx + math.sin(turn) * ball.vy == pytest.approx(along, abs=1e-14)
         assert spins(ball) == turning
+
+
+def tip_on(shot: Shot, restitution: float = 0.73, mass: float = 0.54) -> tuple[Body, TipSpring]:
+    """A ball that lies still, and the tip that has just come to it."""
+    ball = Body(Ball("cue", 0.5, 0.5), 0, 0.028575, 0.17)
+    stroke = strike(ball, shot, Cue(tip_restitution=restitution, mass=mass))
+    tip = TipSpring(ball, stroke)
+    ball.set_velocity((0.0, 0.0, 0.0, 0.0, 0.0))
+    ball.vz = 0.0
+    return ball, tip
+
+
+SHOTS = [
+    Shot(speed=2.0),
+    Shot(angle=40.0, speed=3.0, side=0.3, height=-0.2),
+    Shot(angle=-110.0, speed=1.0, side=-0.2, height=0.4, elevation=35.0),
+]
+
+
+@pytest.mark.parametrize("shot", SHOTS)
+def test_an_approach_to_the_tip_is_the_cues_speed_and_what_is_taken_off_it_cue_and_ball_share(shot: Shot) -> None:
+    ball, tip = tip_on(shot)
+    assert tip.closing() == pytest.approx(shot.speed)
+    before, cue = momentum(ball), tip.speed
+    tip.part(0.4)
+    assert tip.closing() == pytest.approx(shot.speed - 0.4)
+    # What the ball has got along the table the cue has lost along itself, but for what the slate and squirt take.
+    gained = math.hypot(*(new - old for new, old in zip(momentum(ball), before, strict=True)))
+    lost = 0.54 * (cue - tip.speed)
+    assert lost > 0.0 and gained == pytest.approx(lost * math.cos(math.radians(shot.elevation)), rel=1e-2)
+    # To take all of it is an impact that gives nothing back: tip and ball go on together.
+    tip.part(tip.closing())
+    assert tip.closing() == pytest.approx(0.0, abs=1e-12)
+    alone = Body(Ball("cue", 0.5, 0.5), 0, 0.028575, 0.17)
+    strike(alone, shot, Cue(tip_restitution=0.0, mass=0.54))
+    assert ball.velocity() == pytest.approx(alone.velocity(), abs=1e-9)
+
+
+def test_a_tip_that_has_relaxed_lets_go_and_pushes_anew_when_it_comes_again() -> None:
+    """One that gives little back has lost its push long before the ball has come all the way out of it."""
+    ball, tip = tip_on(Shot(speed=2.0), restitution=0.1)
+    dt, deepest = 0.1 * tip.step, 0.0
+    while tip.closing() > 0.0:
+        assert tip.press(dt)
+        tip.act()
+        deepest = tip.depth
+    # It is drawn back slowly.
+    tip.speed, steps = ball.vx - 0.01, 0
+    while tip.press(dt):
+        steps += 1
+        assert steps * 0.01 * dt < 0.2 * deepest
+    assert tip.depth == 0.0 and not tip.press(dt)
+    tip.speed = ball.vx + 1.0
+    gone = ball.vx
+    assert tip.press(dt)
+    tip.act()
+    assert ball.vx > gone and tip.depth == pytest.approx(dt, rel=0.02)
 
 
 def test_an_impact_lasts_and_is_as_deep_as_hertz_has_it() -> None:

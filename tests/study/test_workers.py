@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import multiprocessing
 import os
 import signal
@@ -59,7 +60,17 @@ def test_processes_end_with_the_one_that_started_them(end: signal.Signals, tmp_p
         stderr=subprocess.PIPE,
         env=environment,
         start_new_session=True,
+        # A shell lets what it starts in the background ignore Ctrl-C, and that is handed down.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
+    try:
+        _end_with(run, end)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(run.pid, signal.SIGKILL)
+
+
+def _end_with(run: subprocess.Popen[bytes], end: signal.Signals) -> None:
     assert run.stdout is not None
     workers = [int(word) for word in run.stdout.readline().split()]
     assert len(workers) == 2
