@@ -112,3 +112,42 @@ def test_message_is_one_line_whatever_it_quotes() -> None:
 def test_table_takes_its_knobs_so() -> None:
     with pytest.raises(InputError, match=r"cloth\.mu_rol = 1: unknown; did you mean cloth\.mu_roll\?"):
         load_table("pool-9ft").with_knobs({"cloth.mu_rol": 1})
+
+
+def test_nothing_can_be_set_to_give_back_more_than_it_takes() -> None:
+    """Restitutions, and what rubber gives back along itself, go from nothing to all of it: energy only falls."""
+    giving = [
+        (name, described)
+        for name, described, _ in walk(Knobs())
+        if name.rpartition(".")[2] in ("restitution", "tip_restitution", "tangential", "bounce")
+    ]
+    assert len(giving) >= 8
+    for name, described in giving:
+        assert described.lo == 0.0 and 0.9 < described.hi <= 1.0, name
+
+
+def test_what_nothing_is_said_of_is_a_pool_table() -> None:
+    """By WPA's specifications and what Alciatore gathered: each within the range that is published for it."""
+    published = {
+        "gravity": (9.78, 9.84),
+        "cloth.mu_slide": (0.15, 0.4),
+        "cloth.mu_roll": (0.005, 0.015),
+        "ball.radius": (0.02851, 0.0286375),
+        "ball.mass": (0.156, 0.17),
+        "ball.restitution": (0.92, 0.98),
+        "ball.friction": (0.03, 0.08),
+        "ball.friction_a": (9.951e-3, 9.951e-3),
+        "ball.friction_b": (0.108, 0.108),
+        "ball.friction_c": (1.088, 1.088),
+        "cushion.restitution": (0.6, 0.95),
+        "cue.mass": (0.4, 0.7087),
+        "cue.tip_restitution": (0.71, 0.75),
+        "jump_cue.tip_restitution": (0.81, 0.87),
+    }
+    values = {name: value for name, _, value in walk(Knobs())}
+    for name, (least, most) in published.items():
+        value = values[name]
+        assert isinstance(value, float) and least <= value <= most + 1e-12, name
+    # The nose stands at 63.5 % of a ball's height, give or take one.
+    nose, diameter = values["cushion.nose_height"], 2.0 * 0.028575
+    assert isinstance(nose, float) and 0.625 <= nose / diameter <= 0.645
