@@ -15,7 +15,7 @@ from pool2d.game.rules import Choice, State, games_for
 from pool2d.game.rules.carom.four_ball import FourBall
 from pool2d.game.rules.pool.blackball import Blackball
 from pool2d.game.rules.pool.free_pyramid import FreePyramid
-from pool2d.game.rules.snooker.six_red import MISSES, SixRed, SixRedState
+from pool2d.game.rules.snooker.six_red import SixRed, SixRedState
 from pool2d.game.rules.snooker.snooker import points_left
 from pool2d.game.rules.spotting import CLEAR, put
 from pool2d.game.setup import Setup
@@ -155,15 +155,15 @@ def missing(times: int) -> Any:
 
 
 def test_after_five_misses_the_cue_ball_goes_anywhere() -> None:
-    fourth = missing(MISSES - 1)
+    fourth = missing(4)
     assert fourth.ask.options == ("play", "play-again", "put-back")
     back = SIX.choose(fourth.state, fourth.layout, Choice("put-back"))
     assert "last-miss" in [note.key for note in back.notes] and back.ask.player == 0
-    fifth = missing(MISSES)
+    fifth = missing(5)
     assert fifth.ask.options == ("play", "play-again", "anywhere")
     placed = SIX.choose(fifth.state, fifth.layout, Choice("anywhere"))
     assert (placed.ask.player, placed.ask.kind, placed.ask.where) == (1, "aim", "anywhere")
-    assert isinstance(placed.state, SixRedState) and placed.state.called == 0
+    assert isinstance(placed.state, SixRedState) and (placed.state.called, placed.state.misses) == (0, 0)
     there = SIX.choose(placed.state, placed.layout, Choice("place", 2.0, 1.2))
     assert (there.layout["cue"].x, there.layout["cue"].y) == (2.0, 1.2)
 
@@ -172,9 +172,9 @@ def test_after_five_misses_the_cue_ball_goes_anywhere() -> None:
 def test_not_where_snookers_are_required(scores: tuple[int, int], offered: bool) -> None:
     layout = only(SIX.start().layout, "red1", "black")
     layout = put(put(layout, "cue", (1.0, 0.5)), "red1", (2.5, 0.5))
-    state = replace(SIX.start().state, shots=9, scores=scores, called=MISSES - 1, misses=1)
+    state = replace(SIX.start().state, shots=9, scores=scores, called=4, misses=1)
     ruling = SIX.judge(SIX.aiming(state, layout, 0), layout, report("cue|", start=layout))
-    assert ruling.state.called == MISSES
+    assert ruling.state.called == 5
     assert ruling.ask.options == ("play", "play-again", *(("anywhere",) if offered else ()))
 
 

@@ -98,6 +98,13 @@ def test_a_player_is_warned_before_the_third_miss() -> None:
     assert misses(chosen(missed, "play-again")) == 0
 
 
+@pytest.mark.parametrize("shot", ["cue-red1", "cue-red1 red1>", "cue-red1 cue>"])
+def test_what_is_no_miss_ends_the_row_of_misses(shot: str) -> None:
+    """3.14 (d) speaks of misses in a row: a red that is met, fair or with the cue ball down, begins anew."""
+    assert misses(ruled(f"{IN_SIGHT}, misses 2", shot)) == 0
+    assert misses(ruled(f"{IN_SIGHT}, misses 1", shot)) == 0
+
+
 def test_a_frame_is_claimed_or_conceded() -> None:
     """2.1 (a), (b): only the striker may concede."""
     ahead = ruled("phase order, balls pink black, scores 60 50", "cue-pink pink>")
