@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import random
+from pathlib import Path
 
 import pytest
 
-from pool2d import Layout, Table, load_table
+from pool2d import Ball, Layout, Table, load_table
 from pool2d.game.rules import game
 from pool2d.game.rules.sight import Disc, snookered
 from pool2d.game.rules.spotting import Where, may_place, put
@@ -67,6 +68,27 @@ def test_the_only_place_is_beside_another_ball(gap: float, seen: bool) -> None:
     layout = put(at_a_slit(least() + 1e-6, end), "yellow", (LINE - away, end - away))
     found = vantage(SNOOKER, layout, layout["cue"], ("red1",), "d")
     assert (found is not None) is seen
+
+
+@pytest.mark.parametrize(
+    ("table", "rules", "where", "red"),
+    [(SNOOKER, "snooker", "d", "red1"), (ENGLISH, "english-eight-ball", "kitchen", "red1")],
+)
+@pytest.mark.parametrize("place", [(1.5, 0.45), (1.2, 0.1), (0.9, 0.8)])
+def test_a_ball_alone_on_the_table_is_seen(table: Table, rules: str, where: Where, red: str, place: Point) -> None:
+    layout = alone(table, rules, **{red: place})
+    found = vantage(table, layout, layout["cue"], (red,), where)
+    assert found is not None and may_place(table, layout, "cue", where, *found)
+
+
+def test_all_of_a_d_is_seen_from_where_no_pocket_is_near(tmp_path: Path) -> None:
+    """Then only the baulk line and the bow bound where the cue ball may stand."""
+    file = tmp_path / "plain.toml"
+    file.write_text('base = "carom-10ft"\n[marks]\nhead_string = 0.7\nd_radius = 0.2\n')
+    table = load_table(file)
+    layout = Layout([Ball("cue", 1.5, 0.3), Ball("red", 2.0, 0.5)])
+    found = vantage(table, layout, layout["cue"], ("red",), "d")
+    assert found is not None and may_place(table, layout, "cue", "d", *found)
 
 
 def drawn(table: Table, rules: str, rng: random.Random, on: int, others: int) -> tuple[Layout, tuple[str, ...]]:
