@@ -23,7 +23,11 @@ class Judged(NamedTuple):
 
 def judged(rules: Rules[Any], state: State, layout: Layout, stroke: Stroke) -> Judged:
     """Play a stroke on the rules' table and judge it; raises what `simulate` does."""
-    rollout = simulate(rules.table, layout, stroke.shot)
+    return seen(rules, state, simulate(rules.table, layout, stroke.shot), stroke)
+
+
+def seen(rules: Rules[Any], state: State, rollout: Rollout, stroke: Stroke) -> Judged:
+    """Judge a stroke that was played."""
     report = observe(rules.table, rollout, stroke.call, stroke.shot.ball, stroke.shot.easy)
     return Judged(rollout, report, rules.judge(state, _after(rollout), report))
 

@@ -35,10 +35,20 @@ def decide(rules: Rules[Any], ruling: Ruling, player: Player, seed: str) -> Deci
     if turn.ask.kind == CHOOSE:
         return Decision((_option(turn)[1],))
     weighed = _weighed(turn, random.Random(f"judgement {seed}"))
-    value, choice = _option(turn) if turn.ask.options else (0.0, None)
-    if choice is not None and value > weighed[0].value:
-        return Decision((choice,), tuple(weighed))
-    return Decision(_actions(weighed), tuple(weighed))
+    choice = _better(turn, weighed[0].value) if turn.ask.options else None
+    return Decision((choice,) if choice else _actions(weighed), tuple(weighed))
+
+
+def _better(turn: Turn, value: float) -> Choice | None:
+    """The best option where it is worth more than the best stroke.
+
+    One after which the same player shoots has to be worth more than things as they stand too, by the same measure: or
+    two starting spots would be changed for each other without end.
+    """
+    worth, choice = _option(turn)
+    stays = turn.chosen(choice).ask.player == turn.me
+    least = max(value, turn.worth_of(turn.ruling)) if stays else value
+    return choice if worth > least else None
 
 
 def _option(turn: Turn) -> tuple[float, Choice]:

@@ -21,6 +21,7 @@ class Judgement:
     safeties: float = knob(12.0, 0.0, 200.0, "", "how many safeties it looks at")
     kicks: float = knob(60.0, 0.0, 720.0, "", "in how many directions it looks for a way by the cushions")
     banks: float = knob(4.0, 0.0, 40.0, "", "how many banks and combinations it looks at")
+    cannons: float = knob(300.0, 0.0, 20000.0, "", "how many strokes it tries for a cannon, on a table without pockets")
 
 
 @dataclass(frozen=True, slots=True)

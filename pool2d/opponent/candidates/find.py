@@ -13,6 +13,7 @@ from ..candidate import Candidate
 from ..turn import Turn
 from .breaks import breaks
 from .calling import called
+from .cannons import cannons
 from .kicks import kicks
 from .pots import pots
 from .safeties import safeties
@@ -27,10 +28,12 @@ def candidates(turn: Turn) -> Iterator[Candidate]:
 
 def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
     """The strokes at a cue ball where it lies."""
+    see, on = turn.player.judgement, turn.on(cue)
+    if not turn.table.geometry.pockets:
+        yield from cannons(turn, layout, cue, int(see.cannons))
     if turn.opens:
         yield from breaks(turn.table, layout, turn.ask, cue, turn.player.taste.pace)
         return
-    see, on = turn.player.judgement, turn.on(cue)
     lines = list(islice(turn.lines(layout, cue), int(see.ways)))
     yield from pots(turn.table, layout, turn.ask, cue, lines, see)
     yield from safeties(turn.table, layout, turn.ask, cue, on, int(see.safeties))

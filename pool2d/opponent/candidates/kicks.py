@@ -7,13 +7,11 @@ from typing import Final
 
 from ...game.actions import Stroke
 from ...game.rules import Ask
-from ...physics.event import Event
-from ...physics.simulate import simulate
 from ...physics.values import Layout, Shot
 from ...table.table import Table
 from ..candidate import Candidate
 from .calling import called
-from .strokes import cleared
+from .strokes import cleared, first_met
 
 SPEEDS: Final = (2.2, 3.5)
 
@@ -25,7 +23,7 @@ def kicks(table: Table, layout: Layout, ask: Ask, cue: str, on: Collection[str],
     wanted = set(on)
     found: list[tuple[int, Candidate]] = []
     for speed in SPEEDS:
-        met = [_first(table, layout, Shot(360.0 * look / looks, speed, ball=cue)) for look in range(looks)]
+        met = [first_met(table, layout, Shot(360.0 * look / looks, speed, ball=cue)) for look in range(looks)]
         for start, length in _runs([ball if ball in wanted else "" for ball in met]):
             ball = met[start % looks]
             angle = 360.0 * (start + 0.5 * (length - 1)) / looks
@@ -33,18 +31,6 @@ def kicks(table: Table, layout: Layout, ask: Ask, cue: str, on: Collection[str],
             if shot is not None:
                 found.append((length, Candidate("kick", Stroke(shot, called(ask, ball, safety=True)), ball)))
     yield from (plan for _, plan in sorted(found, key=lambda one: -one[0]))
-
-
-def _first(table: Table, layout: Layout, shot: Shot) -> str:
-    """The ball that the cue ball meets first, "" for none."""
-
-    def ends(event: Event) -> bool:
-        return any(shot.ball in pair for pair in event.pairs) or event.kind == "ball_pocket"
-
-    rollout = simulate(table, layout, shot, until=ends)
-    last = rollout.events[-1]
-    pair = next((pair for pair in last.pairs if shot.ball in pair), None)
-    return "" if pair is None else pair[0] if pair[1] == shot.ball else pair[1]
 
 
 def _runs(met: list[str]) -> Iterator[tuple[int, int]]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
+from ...physics.event import Event
+from ...physics.simulate import simulate
 from ...physics.values import Layout, Shot
 from ...table.clearance import least_elevation
 from ...table.table import Table
@@ -22,3 +24,15 @@ def cleared(table: Table, layout: Layout, shot: Shot) -> Shot | None:
     if not needed.over:
         return shot
     return replace(shot, elevation=min(89.0, needed.elevation + _SPARE))
+
+
+def first_met(table: Table, layout: Layout, shot: Shot) -> str:
+    """The ball that the cue ball meets first, "" for none."""
+
+    def ends(event: Event) -> bool:
+        return any(shot.ball in pair for pair in event.pairs) or event.kind == "ball_pocket"
+
+    rollout = simulate(table, layout, shot, until=ends)
+    last = rollout.events[-1]
+    pair = next((pair for pair in last.pairs if shot.ball in pair), None)
+    return "" if pair is None else pair[0] if pair[1] == shot.ball else pair[1]
