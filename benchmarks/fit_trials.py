@@ -14,13 +14,13 @@ import time
 from concurrent.futures import ProcessPoolExecutor, as_completed
 
 from pool2d.config.knobs import walk
-from pool2d.fit.crew import Crew
 from pool2d.fit.evidence import evidence
 from pool2d.fit.made_tracks import NOISE, make_shots
 from pool2d.fit.miss import Stretch
 from pool2d.fit.shot_fit import knobs, setting_of, width_of
 from pool2d.fit.tracked_fit import TrackedFit
 from pool2d.fit.usual_knobs import usual_knobs
+from pool2d.study.crew import Crew
 from pool2d.table.preset import load_table
 from pool2d.table.table import Table
 

@@ -1,4 +1,4 @@
-"""The command line: play | simulate | study | fit | render | replay | tables."""
+"""The command line: play | simulate | study | fit | render | replay | tables | players | duel."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__
-from .commands import fit, terminal
+from .commands import duel, fit, players, terminal
 from .commands.arguments import Parser, add, to_conditions, to_file, to_number, to_overrides, to_size, to_whole
 from .compiled import engine
 from .config import catalogue
@@ -204,6 +204,8 @@ def _parser() -> argparse.ArgumentParser:
     fit.register(commands)
     _add_replay(commands)
     _add_tables(commands)
+    players.register(commands)
+    duel.register(commands)
     return parser
 
 

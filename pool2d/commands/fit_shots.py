@@ -11,19 +11,17 @@ from ..config import catalogue
 from ..config.files import check_target, write_text
 from ..config.knobs import walk
 from ..errors import InputError
-from ..fit.crew import crew
 from ..fit.evidence import evidence
 from ..fit.fitted_preset import FittedKnob, preset_text
 from ..fit.miss import Stretch, stands
 from ..fit.shot_fit import setting_of, table_of
 from ..fit.track_file import read_tracks
 from ..fit.tracked_fit import TrackedFit, check_knobs, errors, has_optimiser, tasks
+from ..study.crew import crew
 from ..table.table import Table
 from . import terminal
 from .progress import Progress
 
-# As a shell tells that Ctrl-C ended a command.
-_INTERRUPTED = 130
 _LONGEST_TITLE = 80
 
 
@@ -87,10 +85,10 @@ def _interrupted(plan: FitPlan, fit: TrackedFit) -> int:
     """Keep what there is of a fit that Ctrl-C has ended."""
     if all(knob.value == knob.was for knob in _fitted(fit)):
         terminal.complain("pool2d: interrupted before any knob was turned; nothing is written")
-        return _INTERRUPTED
+        return terminal.INTERRUPTED
     _write(plan, fit, ["Interrupted: the best so far, neither settled nor judged."])
     terminal.complain(f"pool2d: interrupted; the best so far is kept, and --table {plan.out} goes on from there")
-    return _INTERRUPTED
+    return terminal.INTERRUPTED
 
 
 def _check(plan: FitPlan) -> None:

@@ -23,8 +23,6 @@ from .progress import Progress
 
 # How long a scheduler may take to answer.
 _PATIENCE = "10s"
-# As a shell tells that Ctrl-C ended a command.
-_INTERRUPTED = 130
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +54,7 @@ def study(file: Path, plan: Plan, overrides: Mapping[str, Any], conditions: Sequ
         return _study(file, plan, overrides, conditions)
     except KeyboardInterrupt as error:
         terminal.complain(f"pool2d: interrupted; {error if error.args else 'the same command goes on from there'}")
-        return _INTERRUPTED
+        return terminal.INTERRUPTED
 
 
 def _study(file: Path, plan: Plan, overrides: Mapping[str, Any], conditions: Sequence[str]) -> int:

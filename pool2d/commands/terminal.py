@@ -5,9 +5,13 @@ from __future__ import annotations
 import contextlib
 import io
 import sys
+from typing import Final
 
 from ..errors import InputError
 from ..printable import printable
+
+# As a shell tells that Ctrl-C ended a command.
+INTERRUPTED: Final = 130
 
 
 def prepare() -> None:

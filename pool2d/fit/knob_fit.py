@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .crew import Crew
+from ..study.crew import Crew
 from .miss import Stretch
 from .shot_fit import (
     CLIP,

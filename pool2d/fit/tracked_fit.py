@@ -11,8 +11,8 @@ from importlib import import_module
 import numpy as np
 
 from ..errors import InputError, suggest
+from ..study.crew import Crew
 from . import certainty
-from .crew import Crew
 from .knob_fit import STAGES, KnobFit
 from .miss import Stretch
 from .shot_fit import COARSE, Fitted, Setting, knobs, launched

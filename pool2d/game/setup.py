@@ -18,7 +18,7 @@ BREAKS = (ALTERNATE, WINNER, LOSER)
 COIN, LAG = -1, -2
 _RACE = Knob(1, 1, 100, "frames", "")
 _SEED = Knob(0, -1e15, 1e15, "", "")
-_NAME = 40
+NAME = 40
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,5 +111,5 @@ def _check_player(name: object, source: str) -> None:
 
 
 def _check_name(name: object, source: str, key: str = "names") -> None:
-    if not isinstance(name, str) or not name.strip() or not name.isprintable() or len(name) > _NAME:
-        raise InputError(source, key, name, f"allowed is a text of up to {_NAME} printable characters")
+    if not isinstance(name, str) or not name.strip() or not name.isprintable() or len(name) > NAME:
+        raise InputError(source, key, name, f"allowed is a text of up to {NAME} printable characters")

@@ -48,7 +48,7 @@ def player_names() -> list[str]:
 def load_player(name: str) -> Player:
     """A player by the name of a file, or from a path to one; raises InputError."""
     path = catalogue.find(catalogue.PLAYERS, name)
-    player = apply(Player(path.stem), dict(_flat(read_toml(path))), str(path))
+    player = apply(Player(), {"name": path.stem[:40], **dict(_flat(read_toml(path)))}, str(path))
     if not player.name.strip():
         raise InputError(str(path), "name", player.name, "allowed is a text of 1 to 40 characters")
     return player

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Any, Final, TypeAlias
 
 from ..game.actions import Action, NextFrame, Stroke
 from ..game.match import Match, Moment
+from ..game.rules import Rules, Ruling
 from .decide import Decision, decide
 from .player import Player
 from .stray import strayed
@@ -17,19 +18,28 @@ from .stray import strayed
 ENDLESS: Final = 5000
 
 
-def played_out(match: Match, players: Sequence[Player], seed: str) -> Iterator[tuple[Decision | None, Moment]]:
-    """Play a match to its end: each decision, None between frames, and the moments that its actions lead to."""
+Think: TypeAlias = Callable[[Rules[Any], Ruling, Player, str], Decision]
+
+
+def played_out(
+    match: Match,
+    players: Sequence[Player],
+    seed: str,
+    think: Think = decide,
+    play: Callable[[Action], Moment] | None = None,
+) -> Iterator[tuple[Decision | None, Moment]]:
+    """Play a match to its end: each decision, None between frames, and the moments that its actions lead to.
+
+    `play` carries actions out, as the match itself does, or the recorder that it has.
+    """
+    play = play or match.play
     while not match.over and len(match.history) < ENDLESS:
         if match.state.over:
-            yield None, match.play(NextFrame())
-        else:
-            yield from _turn(match, players[match.ask.player], f"{seed} {len(match.history)}")
-
-
-def _turn(match: Match, player: Player, seed: str) -> Iterator[tuple[Decision, Moment]]:
-    decision = decide(match.judge, match.now.ruling, player, seed)
-    for action in decision.actions:
-        yield decision, match.play(by_hand(match, action, player, seed))
+            yield None, play(NextFrame())
+            continue
+        player, turn = players[match.ask.player], f"{seed} {len(match.history)}"
+        decision = think(match.judge, match.now.ruling, player, turn)
+        yield from ((decision, play(by_hand(match, action, player, turn))) for action in decision.actions)
 
 
 def by_hand(match: Match, action: Action, player: Player, seed: str) -> Action:

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from pool2d import InputError, Shot
-from pool2d.fit.crew import Crew
 from pool2d.fit.miss import Stretch
 from pool2d.fit.shot_fit import Fitted, setting_of
 from pool2d.fit.tracked_fit import TrackedFit, check_knobs, errors
 from pool2d.fit.usual_knobs import usual_knobs
+from pool2d.study.crew import Crew
 
 from .known_shots import CUE, NOISE, RED, TABLE, alone, stretch
 

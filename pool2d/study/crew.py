@@ -1,4 +1,4 @@
-"""Who fits the shots: this process, or several of our own; told as each is done."""
+"""Who does the work: this process, or several of our own; told as each task is done."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any, TypeVar
 
 from ..errors import InputError, WorkerError
-from ..study.workers import processes
+from .workers import processes
 
 Result = TypeVar("Result")
 # A process of ours has one processor: linear algebra that started threads of its own would only wait for others.
@@ -18,7 +18,7 @@ _THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLI
 
 
 class Crew:
-    """Does a task for each of many shots; `done` is called as each comes back."""
+    """Does a task for each of many jobs; `done` is called as each comes back."""
 
     def __init__(self, executor: Executor | None = None, done: Callable[[int], None] = lambda count: None) -> None:
         self._executor = executor
@@ -26,11 +26,14 @@ class Crew:
 
     def each(self, task: Callable[..., Result], jobs: Sequence[tuple[Any, ...]]) -> list[Result]:
         """What comes of each job, in their order; raises what a task raises, and WorkerError where one is lost."""
-        found = []
+        return list(self.stream(task, jobs))
+
+    def stream(self, task: Callable[..., Result], jobs: Sequence[tuple[Any, ...]]) -> Iterator[Result]:
+        """What comes of each job as soon as it and those before it are done; raises as `each`."""
         for result in self._begun(task, jobs):
-            found.append(result())
+            found = result()
             self._done(1)
-        return found
+            yield found
 
     def _begun(self, task: Callable[..., Result], jobs: Sequence[tuple[Any, ...]]) -> list[Callable[[], Result]]:
         if self._executor is None:

@@ -1,0 +1,60 @@
+"""The drill by which people say how good they are (Joe Tucker's, in Alciatore's FAQ on ratings), and its scale.
+
+A rack of ten balls is broken; what that makes counts, and is spotted after a foul. Then, with the cue ball in hand, the
+balls are run in rotation until one is missed. What counts is how many are made in ten racks.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import replace
+from typing import Final
+
+from ...game.judging import Judged
+from ...game.rules import Ruling
+from ...game.rules.pool.ten_ball import TenBall
+from ...game.rules.spotting import ANYWHERE, spot_balls
+from ...table.table import Table
+from ..player import Player
+from .visits import potted, visit
+
+RACKS: Final = 10
+# From how many balls on a grade is reached.
+SCALE: Final = (
+    (0, "D"), (30, "D+"), (36, "C"), (41, "C+"), (46, "B"), (51, "B+"), (56, "A"), (61, "A+"), (66, "A++"),
+    (71, "professional"),
+)  # fmt: skip
+
+
+def grade(balls: float) -> str:
+    """The grade of who makes so many balls in ten racks: D below the published scale, then D+ up to professional."""
+    return SCALE[bisect_right(SCALE, round(balls), key=lambda step: step[0]) - 1][1]
+
+
+def one_rack(table: Table, player: Player, seed: int, number: int) -> int:
+    """The balls that a player makes in one rack of the drill."""
+    rules, name, eager = TenBall(table), f"ten racks {seed} {number}", attacking(player)
+    broken = next(visit(rules, rules.start(0, _rack(seed, number)), eager, f"{name} break"), None)
+    if broken is None:
+        return 0
+    made = 0 if broken.ruling.foul else len(broken.report.potted)
+    return made + potted(rules, visit(rules, in_hand(rules, broken), eager, name))[0]
+
+
+def in_hand(rules: TenBall, broken: Judged) -> Ruling:
+    """After the break: the cue ball anywhere, and of a foul the balls back on the table."""
+    layout, state = broken.ruling.layout, broken.ruling.state
+    if broken.ruling.foul:
+        fell = {*broken.report.potted, *broken.report.off} - set(rules.on_table(layout))
+        layout, _ = spot_balls(rules.table, layout, sorted(fell, key=int, reverse=True))
+    return rules.ruled(rules.next(replace(state, shots=1, fouls=(0, 0)), layout, 0, ANYWHERE), layout)
+
+
+def attacking(player: Player) -> Player:
+    """The player where nothing but a pot counts."""
+    see, like = replace(player.judgement, safeties=0.0), replace(player.taste, attack=1.0)
+    return replace(player, judgement=see, taste=like)
+
+
+def _rack(seed: int, number: int) -> int:
+    return 1000 * seed + number

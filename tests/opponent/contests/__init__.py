@@ -1,0 +1,1 @@
+"""Tests of players at work without a screen."""
