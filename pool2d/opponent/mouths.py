@@ -50,6 +50,13 @@ def mouths(table: Table) -> Mouths:
     )
 
 
+def middle(table: Table, pocket: str) -> tuple[float, float]:
+    """The middle of a pocket's mouth, (x, y)."""
+    seen = mouths(table)
+    x, y = seen.middles[seen.names.index(pocket)].tolist()
+    return x, y
+
+
 def windows(seen: Mouths, places: Floats, reach: float) -> tuple[Floats, Floats]:
     """For balls at `places` (N, 2): the direction to each pocket's middle way in, and half the angle open about it.
 

@@ -20,7 +20,8 @@ class Judgement:
     runs: float = knob(30.0, 0.0, 200.0, "", "how many times it plays each of them in its mind, with its own errors")
     safeties: float = knob(12.0, 0.0, 200.0, "", "how many safeties it looks at")
     kicks: float = knob(60.0, 0.0, 720.0, "", "in how many directions it looks for a way by the cushions")
-    banks: float = knob(4.0, 0.0, 40.0, "", "how many banks and combinations it looks at")
+    banks: float = knob(4.0, 0.0, 40.0, "", "how many banks, and kicks that pot, it looks at")
+    combinations: float = knob(4.0, 0.0, 40.0, "", "how many combinations and caroms it looks at")
     cannons: float = knob(300.0, 0.0, 20000.0, "", "how many strokes it tries for a cannon, on a table without pockets")
 
 

@@ -88,7 +88,7 @@ def pot_lines(
         cosine = (to_ghost * along).sum(axis=-1) / np.maximum(lead, 1e-9)
         cut = np.arccos(np.clip(cosine, -1.0, 1.0))
         free = free & _clear(here, ghost, stand, own, touch) & (cut < math.radians(THINNEST))
-    strays = _strays(spread(hand, radius), lead, cut, touch)
+    strays = straying(spread(hand, radius), lead, cut, touch)
     found = []
     for i, j in zip(*np.nonzero(free), strict=True):
         chance = math.erf(half[i, j] / (math.sqrt(2.0) * strays[i, j]))
@@ -105,7 +105,7 @@ def _has_room(table: Table, ball: Ball, direction: float, touch: float, radius: 
     return table.on_cloth(x, y) and table.element_gap(x, y, radius)[0] > -_PRESSED
 
 
-def _strays(aim: float, lead: Floats, cut: Floats, touch: float) -> Floats:
+def straying(aim: float, lead: Floats, cut: Floats, touch: float) -> Floats:
     """How much the object ball's direction strays, radians, where the cue ball's strays by `aim`."""
     return np.hypot(aim * (lead / (touch * np.cos(np.minimum(cut, math.radians(THINNEST)))) + 1.0), _THROWN)
 

@@ -6,17 +6,24 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice
+from typing import Final
 
 from ...game.actions import Stroke
 from ...physics.values import Layout, Shot
 from ..candidate import Candidate
 from ..turn import Turn
+from .banks import banks, potting_kicks
 from .breaks import breaks
 from .calling import called
 from .cannons import cannons
+from .combinations import combinations_of
 from .kicks import kicks
 from .pots import pots
+from .routed import routed
 from .safeties import safeties
+
+# A pot that is likelier than this is not looked past.
+_EASY: Final = 0.85
 
 
 def candidates(turn: Turn) -> Iterator[Candidate]:
@@ -36,9 +43,20 @@ def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
         return
     lines = list(islice(turn.lines(layout, cue), int(see.ways)))
     yield from pots(turn.table, layout, turn.ask, cue, lines, see)
+    yield from _by_another(turn, layout, cue, easy=bool(lines) and lines[0].chance > _EASY)
     yield from safeties(turn.table, layout, turn.ask, cue, on, int(see.safeties))
     if not lines:
         yield from kicks(turn.table, layout, turn.ask, cue, on, int(see.kicks))
+
+
+def _by_another(turn: Turn, layout: Layout, cue: str, easy: bool) -> Iterator[Candidate]:
+    """The pots that take another ball; and those that take a cushion, where none is easy without."""
+    see, on, wanted = turn.player.judgement, turn.on(cue), turn.wanted(layout)
+    yield from routed(turn, layout, cue, combinations_of(turn, layout, cue, on, wanted), int(see.combinations))
+    if not easy:
+        falls = [ball for ball in on if ball in wanted]
+        yield from routed(turn, layout, cue, banks(turn, layout, cue, falls), int(see.banks))
+        yield from routed(turn, layout, cue, potting_kicks(turn, layout, cue, falls), int(see.banks) // 2)
 
 
 def anything(turn: Turn) -> Candidate:
