@@ -14,9 +14,11 @@ from pool2d.config.catalogue import TABLES, shipped
 from pool2d.game.actions import Stroke
 from pool2d.game.drills.drill_file import load as load_drill
 from pool2d.game.match import Match
+from pool2d.game.reasons import Fear, Reasons, Thought
 from pool2d.game.records.record import load
 from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import record
+from pool2d.game.rules import Note
 from pool2d.game.session import Session
 from pool2d.game.setup import LAG, Setup
 from pool2d.ui.replay.replay_scene import Replay
@@ -223,14 +225,32 @@ def scene(hand: Hand, make: Callable[[Hand], Scene]) -> None:
     hand.app.redraw()
 
 
-def replay(hand: Hand, key: int = 0) -> None:
+# What one who breaks as the match below begins, and pots the 1 then, may have thought of it.
+WHY = Reasons(
+    Thought("pot", Shot(-147.19, 2.58, 0.0, -0.45, 2.4), "1", "bottom-left", 0.95, 0.59, 20, 0.0, 0.05),
+    (Thought("pot", Shot(-148.36, 1.2, 0.3, 0.0, 1.6), "1", "bottom-left", 1.0, 0.57, 20),
+     Thought("safety", Shot(-146.6, 1.0, 0.0, 0.0, 1.6), "1", "", 0.9, 0.55, 20, 0.1, 0.9)),
+    (Fear(Note("fear.missed", ball="1"), 0.05),),
+)  # fmt: skip
+BREAK = Stroke(Shot(0.3, 9.0))
+STROKES = (BREAK, *(Stroke(shot) for shot in (Shot(62.0, 4.0), Shot(-30.0, 5.0), Shot(200.0, 4.5))))
+
+
+def why(hand: Hand) -> None:
+    """A stroke of a recorded match, and why it was played."""
+    replay(hand, strokes=(BREAK, Stroke(Shot(-147.27, 2.66, 0.01, -0.43, 2.5), why=WHY)))
+    hand.key(pygame.K_PAGEDOWN)
+    hand.key(pygame.K_h)
+
+
+def replay(hand: Hand, key: int = 0, strokes: tuple[Stroke, ...] = STROKES) -> None:
     """A recorded match, a shot of which is shown; `key` is pressed then."""
     folder = Path(tempfile.mkdtemp(prefix="pool2d-"))
     match = Match(hand.play.state.session.table, Setup("nine-ball", names=("Ann", "Bob"), race=3, breaker=0, seed=11))
     with record(match, folder / "match.jsonl") as recorder:
-        for shot in (Shot(0.3, 9.0), Shot(62.0, 4.0), Shot(-30.0, 5.0), Shot(200.0, 4.5)):
+        for stroke in strokes:
             if match.ask.kind == "aim":
-                recorder.play(Stroke(shot))
+                recorder.play(stroke)
     app, shots = hand.app, RecordedShots(load(folder / "match.jsonl"))
     shown = Replay(shots, app.words, hand.play, app.store, app.sounds)
     hand.app.scene = shown
@@ -272,5 +292,6 @@ SCENES: dict[str, PictureScene] = {
     "drill": PictureScene("A drill: where the cue ball has to come to rest", drill),
     "replay": PictureScene("`pool2d replay`: a recorded match", replay),
     "replay-shots": PictureScene("G lists its shots", lambda hand: replay(hand, pygame.K_g)),
+    "why": PictureScene("H says why it was played: what was meant, what else was looked at, what was feared", why),
     **{f"table-{name}": PictureScene(f"`--table {name}`", rest, name) for name in shipped(TABLES)},
 }

@@ -136,13 +136,13 @@ def draw(
     over: Sequence[tuple[Ball, Cleared]] = (),
 ) -> None:
     """Draw as much of the guide as `level` says, from LINE up; `over` are balls that it jumps, in their places."""
-    scale = _scale(view)
+    scale = thickness(view)
     drawn = [(theme.GUIDE_CUE, guide.cue_ways, 2.2 * scale)]
     if level == GHOST:
         # Above it, the ways on are among those of the whole shot.
         drawn.append((theme.GUIDE_CUE, guide.after_ways, 1.8 * scale))
         drawn.append((theme.GUIDE_BALL, guide.object_ways, 2.4 * scale))
-    _ways(surface, drawn, view)
+    draw_ways(surface, drawn, view)
     least = min((cleared.gap for _, cleared in over), default=0.0)
     for ball, cleared in over:
         x, y = view.to_screen(ball.x, ball.y)
@@ -176,12 +176,12 @@ def draw_whole(
 
     The path of the struck ball has the colour `cue`, the others `others`, or without that their ball's own.
     """
-    scale = _scale(view)
+    scale = thickness(view)
     struck = next((event.balls[:1] for event in rollout.events if event.kind == "cue_ball"), ())
     moved = [ball for ball in rollout.layout().values() if len(rollout.tracks.get(ball.id, ())) > 1]
     colors = [cue if ball.id in struck else others or _own(ball_art.look_of(table, ball.id), style) for ball in moved]
     found = [ways(rollout, ball.id, within=fineness(view)) for ball in moved]
-    _ways(surface, [(color, way, 1.8 * scale) for color, way in zip(colors, found, strict=True)], view)
+    draw_ways(surface, [(color, way, 1.8 * scale) for color, way in zip(colors, found, strict=True)], view)
     for color, ball in zip(colors, moved, strict=True):
         centre, radius = view.to_screen(ball.x, ball.y), table.body_of(ball)[0] * view.scale
         if ball.phase == POCKETED:
@@ -192,9 +192,9 @@ def draw_whole(
     ball_art.draw_all(surface, rests, style)
 
 
-def _ways(surface: pygame.Surface, drawn: Sequence[tuple[theme.Color, list[Way], float]], view: View) -> None:
+def draw_ways(surface: pygame.Surface, drawn: Sequence[tuple[theme.Color, list[Way], float]], view: View) -> None:
     """Draw ways, in a colour and width each: dashed where they are aloft, with a mark at each landing."""
-    scale = _scale(view)
+    scale = thickness(view)
     lines = []
     for color, parts, width in drawn:
         for part in parts:
@@ -227,7 +227,7 @@ def _own(look: Look, style: theme.Style) -> theme.Color:
     return red, green, blue
 
 
-def _scale(view: View) -> float:
+def thickness(view: View) -> float:
     """How much thicker lines are drawn where the table is seen large."""
     return min(max(1.0, view.scale / 400.0), 2.0)
 

@@ -50,7 +50,7 @@ _ACROSS = 8
 WINDOWS = (
     "play", "pulling", "whole-guide", "arrows", "time-line", "tuning", "in-hand", "geometry", "options", "keys", "help",
     "german", "menu", "new-match", "lag", "choice", "call", "snooker", "pause", "frame-over", "drills", "drill",
-    "replay", "replay-shots",
+    "replay", "replay-shots", "why",
 )  # fmt: skip
 
 

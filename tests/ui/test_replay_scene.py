@@ -177,8 +177,8 @@ def test_a_call_is_told_in_words(tmp_path: Path) -> None:
         recorder.play(Stroke(Shot(0.0, 2.0), Call(ball="red7")))
         recorder.play(Stroke(Shot(0.0, 2.0)))
     first, second = RecordedShots(load(recorder.path)).played[0], RecordedShots(load(recorder.path))[1]
-    assert replay_view.called(Words(), first) == "Player 1 calls red 7."
-    assert replay_view.called(Words(), second) == ""
+    assert replay_view.called(Words(), first) == ["Player 1 calls red 7."]
+    assert replay_view.called(Words(), second) == []
 
 
 def test_the_score_is_the_one_of_the_moment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -52,6 +52,7 @@ class Replay(Scene):
         self._keys: dict[str, Callable[[], None]] = {
             **self.stage.camera.keys,
             **state.show.keys,
+            "why": state.turn_why,
             "fast": lambda: self._fast_forward(True),
             "help": lambda: self._open(Help(self)),
             "options": lambda: self._open(OptionsPage(self, store)),
@@ -60,6 +61,7 @@ class Replay(Scene):
             "earlier": lambda: state.go(state.at - 1),
             "later": lambda: state.go(state.at + 1),
             "list": self._list,
+            "why": state.turn_why,
         }
 
     @property
@@ -93,13 +95,15 @@ class Replay(Scene):
         return scene
 
     def _hand(self, event: pygame.event.Event) -> None:
-        """What is meant for a button of the upper bar, a shot's time line or a key."""
+        """What is meant for a button of the upper bar, the panel, a shot's time line or a key."""
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
-            pressed = replay_view.under(event.pos, self.stage.screen)
+            pressed = replay_view.under(event.pos, self.stage.screen, self.state)
             if pressed:
                 self._do[pressed]()
                 return
-        if self.timeline.handle(event, self.state.playback):
+        if self.state.why and event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE:
+            self.state.turn_why()
+        elif self.timeline.handle(event, self.state.playback):
             # What a hand has brought to its end stays there.
             self.state.playback.paused |= self.state.playback.kept and self.state.playback.ended
         elif event.type == pygame.KEYDOWN:

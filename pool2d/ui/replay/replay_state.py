@@ -21,9 +21,9 @@ PAUSE = 2.0
 class ReplayState:
     """The strokes of a record, of which `at` is shown, counted from 0, and `playback` is its moment.
 
-    A stroke that runs to its end leads on to the next; one that a hand holds or brings to its end stays. `show` says
-    what is shown besides, `balls` how the balls are turned and which have fallen; `sounds` makes the
-    strokes heard, and `store` says which motions are for show.
+    A stroke that runs to its end leads on to the next; one that a hand holds or brings to its end stays. `why` is
+    whether it is told why strokes were played. `show` says what is shown besides, `balls` how the balls are turned and
+    which have fallen; `sounds` makes the strokes heard, and `store` says which motions are for show.
     """
 
     def __init__(self, shots: RecordedShots, store: Store, sounds: Sounds) -> None:
@@ -32,6 +32,7 @@ class ReplayState:
         self.sounds = sounds
         self.balls = BallHistory()
         self.show = Show()
+        self.why = False
         self.at = 0
         # How many strokes `balls` has followed, and for how long the last moment has been shown, s.
         self._followed = 0
@@ -76,6 +77,19 @@ class ReplayState:
         self._rested = 0.0
         if not paused and self.playback.time == 0.0:
             self.sounds.play_events(self.table, self.playback.rollout, -1.0, 0.0)
+
+    @property
+    def told_why(self) -> bool:
+        """Whether the record tells why the stroke was played."""
+        action = self.shot.moment.action
+        return isinstance(action, Stroke) and action.why is not None
+
+    def turn_why(self) -> None:
+        """Tell why strokes were played, or no more; to be read, the stroke is held at its beginning."""
+        self.why = not self.why
+        if self.why:
+            self.playback.seek(0.0)
+        self.playback.paused = self.why
 
     def play_all(self) -> None:
         """Work out every stroke at once."""

@@ -13,7 +13,7 @@ from ...game.rules.report import Call
 from ...table.flights import flies
 from ..frame import Frame
 from ..screen import Screen
-from ..stage import scoreboard
+from ..stage import scoreboard, why_panel
 from ..stage.legend import draw_legend
 from ..stage.shot_view import in_motion
 from ..stage.stage import Stage
@@ -27,7 +27,7 @@ from .replay_state import ReplayState
 
 def draw(frame: Frame, words: Words, state: ReplayState, stage: Stage, timeline: Timeline) -> None:
     """Draw the whole window, as it was laid out."""
-    shown = state.playback
+    shown, shot = state.playback, state.shot
     surface, screen = frame.surface, stage.screen
     stage.begin(frame)
     in_motion(frame, stage, state.shown_balls, shown, state.effects)
@@ -39,9 +39,11 @@ def draw(frame: Frame, words: Words, state: ReplayState, stage: Stage, timeline:
             vectors.draw_cue(surface, shown.rollout.start[shown.shot.ball], shown.shot, stage.table, stage.view)
         draw_legend(surface, words, screen, flies(shown.rollout))
     _upper_bar(surface, words, stage, state, timeline.hover)
+    if state.why and shot.moment.action is not None:
+        why_panel.draw(surface, words, stage, shot.match, shot.before, shot.moment.action)
     said = caption(words, state)
     _caption(surface, screen, said)
-    if state.show.geometry or state.show.vectors or said[0]:
+    if state.show.geometry or state.show.vectors or state.why or said[0]:
         frame.cover()
     timeline.draw(surface, shown, stage.table)
     frame.replace([screen.top, screen.bottom])
@@ -50,16 +52,25 @@ def draw(frame: Frame, words: Words, state: ReplayState, stage: Stage, timeline:
 # The upper bar: from shot to shot on the left, the players on the right.
 
 
+# The left side and the width of each button, in units; the last is there where it is told why a stroke was played.
+_BUTTONS = {"earlier": (2, 3), "list": (6, 17), "later": (24, 3), "why": (28, 3)}
+
+
 def button(action: str, screen: Screen) -> pygame.Rect:
-    """The place of a button: "earlier", "list" between them, and "later"."""
+    """The place of a button, by its action."""
     unit = screen.unit
-    left, width = {"earlier": (2, 3), "list": (6, 17), "later": (24, 3)}[action]
+    left, width = _BUTTONS[action]
     return pygame.Rect(left * unit, unit // 2, width * unit, 3 * unit)
 
 
-def under(pos: tuple[int, int], screen: Screen) -> str:
+def buttons(state: ReplayState) -> list[str]:
+    """The actions of the buttons that are there."""
+    return [action for action in _BUTTONS if action != "why" or state.told_why]
+
+
+def under(pos: tuple[int, int], screen: Screen, state: ReplayState) -> str:
     """The action of the button at a place, if any."""
-    return next((action for action in ("earlier", "list", "later") if button(action, screen).collidepoint(pos)), "")
+    return next((action for action in buttons(state) if button(action, screen).collidepoint(pos)), "")
 
 
 def _upper_bar(
@@ -68,24 +79,32 @@ def _upper_bar(
     screen, shot = stage.screen, state.shot
     unit, bar = screen.unit, screen.top
     surface.fill(theme.PANEL[:3], bar)
-    pointed = "" if pointer is None else under(pointer, screen)
-    for action in ("earlier", "list", "later"):
+    pointed = "" if pointer is None else under(pointer, screen, state)
+    for action in buttons(state):
         box = button(action, screen)
         lit = action == pointed
         plate(surface, box, theme.FACE_LIT if lit else theme.FACE, unit, theme.TEXT if lit else None)
-        possible = state.at > 0 if action == "earlier" else state.at + 1 < len(state.shots)
-        if action != "list":
-            _skip(surface, box, -1.0 if action == "earlier" else 1.0, theme.TEXT if possible else theme.EDGE)
+        _sign(surface, action, box, state, screen.small)
     told = words.say("replay.shot", number=state.at + 1, count=len(state.shots))
     box = button("list", screen)
     text.draw(surface, text.fitted(told, screen.small, box.width), screen.small, theme.TEXT, box.center, (0.5, 0.5))
-    left = button("later", screen).right + 2 * unit
+    left = button(buttons(state)[-1], screen).right + 2 * unit
     title = text.fitted(ruling_text.title(words, shot.match.rules.name), screen.small, screen.tray.left - left)
     text.draw(surface, title, screen.small, theme.QUIET, (left, bar.centery), (0.0, 0.5))
     stage.tray(surface, state.shown_balls.gone(shot.match), state.shown_balls.layout)
     # Until a shot has come to its end the score is the one that it was played at.
     moment = shot.moment if state.playback.ended else shot.before
     scoreboard.draw_beside(surface, words, screen, shot.match, moment, shot.moment.shooter)
+
+
+def _sign(surface: pygame.Surface, action: str, box: pygame.Rect, state: ReplayState, size: int) -> None:
+    """The sign of a button: that of the list is the number of the shot."""
+    if action == "why":
+        color = theme.ACCENT if state.why else theme.TEXT
+        text.draw(surface, "?", size, color, box.center, (0.5, 0.5))
+    elif action != "list":
+        possible = state.at > 0 if action == "earlier" else state.at + 1 < len(state.shots)
+        _skip(surface, box, -1.0 if action == "earlier" else 1.0, theme.TEXT if possible else theme.EDGE)
 
 
 def _skip(surface: pygame.Surface, box: pygame.Rect, side: float, color: theme.Color) -> None:
@@ -108,14 +127,19 @@ def caption(words: Words, state: ReplayState) -> tuple[str, bool]:
     if shown.ended:
         said = [words.say("replay.undone")] if shot.line in shots.undone else []
         said += [words.say("replay.judged", why=words.say(f"since.{shot.found.why}"))] if shot.found is not None else []
-        return " ".join([*said, ruling_text.verdict(words, shot.moment, shot.match)]), False
-    if shown.time <= 0.0 and (said_before := called(words, shot)):
-        return said_before, False
+        return " ".join([*said, ruling_text.verdict(words, shot.moment, shot.match), *invited(words, state)]), False
+    if shown.time <= 0.0 and (said_before := [*called(words, shot), *invited(words, state)]):
+        return " ".join(said_before), False
     if shots.fault is not None and state.at + 1 == len(shots):
         return str(shots.fault), True
     if shots.outdated and state.at == 0:
         return words.say(f"since.preset_{shots.outdated}"), False
     return "", False
+
+
+def invited(words: Words, state: ReplayState) -> list[str]:
+    """How to be told why the shot was played, where that is known and not told yet."""
+    return [words.say("replay.why", key=words.key("why"))] if state.told_why and not state.why else []
 
 
 def unlike(words: Words, shot: RecordedShot) -> str:
@@ -133,17 +157,17 @@ def line(words: Words, shots: RecordedShots, shot: RecordedShot) -> str:
     return f"{shot.number}   {name}{back}   {notes}".rstrip()
 
 
-def called(words: Words, shot: RecordedShot) -> str:
-    """What the player said before the shot; empty where nothing was."""
+def called(words: Words, shot: RecordedShot) -> list[str]:
+    """What the player said before the shot, if anything."""
     stroke = shot.moment.action
     if not isinstance(stroke, Stroke) or stroke.call == Call():
-        return ""
+        return []
     call = stroke.call
     ball = ball_name(words, call.ball, stroke.shot.ball) if call.ball else ""
     pocket = place_name(words, call.pocket) if call.pocket else ""
     what = [ball, pocket, words.say("replay.safety") * call.safety, words.say("replay.push") * call.push]
     name = shot.match.names[shot.moment.shooter]
-    return words.say("replay.calls", player=name, what=", ".join(filter(None, what)))
+    return [words.say("replay.calls", player=name, what=", ".join(filter(None, what)))]
 
 
 def _caption(surface: pygame.Surface, screen: Screen, said: tuple[str, bool]) -> None:

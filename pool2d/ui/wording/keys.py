@@ -30,6 +30,7 @@ DEFAULTS: dict[str, tuple[int, ...]] = {
     "fast": (pygame.K_TAB,),
     "replay": (pygame.K_r,),
     "pause": (pygame.K_p,),
+    "why": (pygame.K_h,),
     "undo": (pygame.K_u, CTRL + pygame.K_z),
     "redo": (CTRL + pygame.K_y,),
     "call": (pygame.K_y,),
