@@ -1,8 +1,6 @@
 """The ways to pot a ball that lie open, and how likely each comes off: geometry, for many balls at once.
 
-The chance is a model: a ball goes in where its direction is within the pocket's window, and that direction strays by
-what the hand's errors come to at the ball (the further the cue ball is off and the thinner the cut, the more).
-`benchmarks.chances` holds it against the engine.
+The chance is `pot_chance`'s.
 """
 
 from __future__ import annotations
@@ -17,16 +15,11 @@ import numpy.typing as npt
 from ..physics.values import Ball, Layout
 from ..table.table import Table
 from .mouths import Floats, mouths, windows
-from .stray import AIM, TIP, Hand
+from .pot_chance import THINNEST, strays, within
+from .stray import Hand
 
 Truths = npt.NDArray[np.bool_]
 
-# A ball is cut by no more than this, degrees.
-THINNEST: Final = 78.0
-# What an error of the tip's place turns the cue ball by, radians for each radius: squirt, and swerve beside it.
-_TURN: Final = 0.06
-# What no hand controls: speed and spin change how much a ball is thrown, radians.
-_THROWN: Final = 0.0015
 # Two balls pass one another that are this share of a touch apart.
 _PASSES: Final = 0.999
 # A cue ball that hits its ball by so much less than it would have to is not kept from it by a cushion, m.
@@ -47,11 +40,6 @@ class PotLine(NamedTuple):
     lead: float
     run: float
     chance: float
-
-
-def spread(hand: Hand, radius: float) -> float:
-    """How much the cue ball's direction strays in an easy stroke, radians."""
-    return math.hypot(math.radians(AIM) * hand.aim, _TURN * TIP * hand.tip / radius)
 
 
 def pot_lines(
@@ -88,10 +76,10 @@ def pot_lines(
         cosine = (to_ghost * along).sum(axis=-1) / np.maximum(lead, 1e-9)
         cut = np.arccos(np.clip(cosine, -1.0, 1.0))
         free = free & _clear(here, ghost, stand, own, touch) & (cut < math.radians(THINNEST))
-    strays = straying(spread(hand, radius), lead, cut, touch)
+    spread = strays(hand, radius, lead, cut)
     found = []
     for i, j in zip(*np.nonzero(free), strict=True):
-        chance = math.erf(half[i, j] / (math.sqrt(2.0) * strays[i, j]))
+        chance = within(half[i, j], spread[i, j])
         way, thick, far, on = (float(value[i, j]) for value in (direction, cut, lead, run))
         found.append(PotLine(names[i], seen.names[j], way, thick, far, on, chance))
     for line in sorted(found, key=lambda line: -line.chance):
@@ -103,11 +91,6 @@ def _has_room(table: Table, ball: Ball, direction: float, touch: float, radius: 
     """Whether a cue ball has room where it meets a ball that it sends in a direction."""
     x, y = ball.x - touch * math.cos(direction), ball.y - touch * math.sin(direction)
     return table.on_cloth(x, y) and table.element_gap(x, y, radius)[0] > -_PRESSED
-
-
-def straying(aim: float, lead: Floats, cut: Floats, touch: float) -> Floats:
-    """How much the object ball's direction strays, radians, where the cue ball's strays by `aim`."""
-    return np.hypot(aim * (lead / (touch * np.cos(np.minimum(cut, math.radians(THINNEST)))) + 1.0), _THROWN)
 
 
 def _clear(a: Floats, b: Floats, stand: Floats, own: Truths, touch: float) -> Truths:

@@ -1,8 +1,9 @@
 """A hand: how far a stroke strays from what is meant.
 
-The errors are normal distributions whose widths are multiples of those that computer pool tournaments play with
-(Archibald, Altman, Shoham 2009: "Analysis of a winning computational billiards player", table 1): the same hand with
-all multiples at 1 is theirs. What makes a stroke awkward widens all of them.
+The errors are normal distributions whose widths are multiples of those of the computer pool tournaments: the same hand
+with all multiples at 1 is theirs. The units are what FastFiz, the simulator by Archibald and Altman that those were
+played on, gives its `GaussianNoise` (`Noise.h` of version 0.2; a and b of the tip 0.5 mm, theta of the butt 0.1 and phi
+of the aim 0.125 degrees, v 0.075 m/s). What makes a stroke awkward widens all of them.
 """
 
 from __future__ import annotations

@@ -18,9 +18,12 @@ from functools import lru_cache
 from itertools import combinations, islice
 from typing import Any, Final
 
+import numpy as np
+
 from ..game.rules import CHOOSE, Choice, Rules, Ruling, State
 from ..physics.values import GONE, Layout
-from .pot_lines import PotLine, pot_lines, spread
+from .pot_chance import strays, within
+from .pot_lines import PotLine, pot_lines
 from .stray import Hand
 
 # The least chance that whoever is at the table pots something: a fluke, a bank, a kick.
@@ -147,5 +150,5 @@ def usual_rate(hand: Hand) -> float:
     0.7 m to the ball, 0.7 m to the pocket, cut by 25 degrees, a window of 2.2 degrees either way; and even who never
     misses does not always come where he meant to.
     """
-    strays = math.hypot(spread(hand, 0.028575) * (0.7 / (0.05715 * math.cos(math.radians(25.0))) + 1.0), 0.0015)
-    return 0.97 * math.erf(math.radians(2.2) / (math.sqrt(2.0) * strays))
+    spread = strays(hand, 0.028575, np.array(0.7), np.array(math.radians(25.0)))
+    return 0.97 * within(math.radians(2.2), float(spread))

@@ -12,7 +12,8 @@ import numpy as np
 from ...physics.values import Ball, Layout
 from ..images import Image, Place, images, legs, way
 from ..mouths import middle, mouths, windows
-from ..pot_lines import THINNEST, PotLine, pot_lines, spread, straying
+from ..pot_chance import THINNEST, strays, within
+from ..pot_lines import PotLine, pot_lines
 from ..routes import Route
 from ..turn import Turn
 from .routed import angle, before, free
@@ -61,8 +62,8 @@ def _bank(turn: Turn, layout: Layout, cue: str, seen: tuple[str, Image], pocket:
     if full < _THIN or not _open(turn, layout, cue, ball, [ghost, *corners]):
         return None
     cut = math.acos(min(1.0, full))
-    width = float(straying(spread(turn.player.hand, table.knobs.ball.radius), np.array(lead), np.array(cut), touch))
-    chance = math.erf(half / (math.sqrt(2.0) * width)) * _KEPT ** (len(image.noses) - 1)
+    width = float(strays(turn.player.hand, table.knobs.ball.radius, np.array(lead), np.array(cut)))
+    chance = within(half, width) * _KEPT ** (len(image.noses) - 1)
     line = PotLine(ball, pocket, direction, cut, lead, _run(corners), chance)
     return Route("bank", line, aim, image.noses[-1].name, goal)
 

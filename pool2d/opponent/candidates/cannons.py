@@ -15,7 +15,7 @@ from ...physics.rollout import Rollout
 from ...physics.simulate import simulate
 from ...physics.values import Layout, Shot
 from ..candidate import Candidate
-from ..pot_lines import spread
+from ..pot_chance import spread
 from ..stray import awkward
 from ..turn import Turn
 from .calling import called

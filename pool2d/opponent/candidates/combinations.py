@@ -10,7 +10,8 @@ from ...game.reasons import StrokeKind
 from ...physics.values import Ball, Layout
 from ..images import Place
 from ..mouths import middle, mouths
-from ..pot_lines import PotLine, pot_lines, spread
+from ..pot_chance import spread
+from ..pot_lines import PotLine, pot_lines
 from ..routes import Route
 from ..turn import Turn
 from .routed import angle, before, free

@@ -24,6 +24,8 @@ HEIGHTS: Final = (0.0, -0.45, 0.4)
 SIDES: Final = (0.0, 0.3, -0.3)
 FASTEST: Final = 7.0
 _SOFTEST: Final = 0.35
+# No tip is meant to meet the ball further out than this, in radii: beyond 0.51 a chalked one slips.
+_OUTERMOST: Final = 0.46
 # How far a ball would run on beyond its pocket's mouth, m.
 _BEYOND: Final = 0.15
 
@@ -67,9 +69,15 @@ def stroked(
             yield refined
 
 
+def _sound(height: float, side: float) -> tuple[float, float]:
+    """That tip, or in the same direction as far out as it does not slip."""
+    share = min(1.0, _OUTERMOST / max(math.hypot(height, side), _OUTERMOST))
+    return share * height, share * side
+
+
 def spins(heights: int, sides: int) -> list[tuple[float, float]]:
     """The (height, side) that a player knows of, the plain ones first."""
-    found = [(height, side) for side in SIDES[:sides] for height in HEIGHTS[:heights]]
+    found = [_sound(height, side) for side in SIDES[:sides] for height in HEIGHTS[:heights]]
     return sorted(found, key=lambda one: (one[1] != 0.0, one[0] != 0.0))
 
 
