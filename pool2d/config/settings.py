@@ -48,6 +48,7 @@ class ScreenSettings:
     language: str = text("auto", 12, "the language of the window; auto takes the system's")
     reduced_motion: bool = flag(False, "nothing slides or glides except the balls")
     full: bool = flag(False, "fill the screen")
+    instant_players: bool = flag(False, "players who are no people are not seen to aim")
     width: float = knob(0.0, 0.0, 16384.0, "pixels", "the window's width")
     height: float = knob(0.0, 0.0, 16384.0, "pixels", "the window's height")
 
@@ -58,10 +59,17 @@ class Players:
 
     first: str = text("", 40, "the name of the first player")
     second: str = text("", 40, "the name of the second player")
+    first_by: str = text("", 40, "who plays the first side: a player's file, or a person")
+    second_by: str = text("greta", 40, "who plays the second side: a player's file, or a person")
 
     @property
     def names(self) -> tuple[str, str]:
         return self.first, self.second
+
+    @property
+    def sides(self) -> tuple[str, str]:
+        """Who plays each side, "" for a person."""
+        return self.first_by, self.second_by
 
 
 @dataclass(frozen=True, slots=True)

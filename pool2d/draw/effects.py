@@ -10,10 +10,14 @@ from . import theme
 
 @dataclass(frozen=True, slots=True)
 class Effects:
-    """`trails` asks for light trails behind moving balls; `reduced_motion` forbids all that is only for show."""
+    """`trails` asks for light trails behind moving balls; `reduced_motion` forbids all that is only for show.
+
+    With `instant` players who are no people are not seen to aim.
+    """
 
     trails: bool = True
     reduced_motion: bool = False
+    instant: bool = False
 
     @property
     def trail(self) -> bool:
@@ -33,7 +37,7 @@ class Effects:
 
 def effects_of(values: Settings) -> Effects:
     """What the settings allow to move."""
-    return Effects(values.balls.trails, values.screen.reduced_motion)
+    return Effects(values.balls.trails, values.screen.reduced_motion, values.screen.instant_players)
 
 
 def style_of(values: Settings) -> theme.Style:

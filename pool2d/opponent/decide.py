@@ -10,6 +10,7 @@ from ..game.actions import Action, Stroke
 from ..game.rules import CHOOSE, Choice, Rules, Ruling
 from .candidates.find import anything, candidates
 from .judgement import Weighed, best, glance
+from .lagging import lag
 from .player import Player
 from .reasoning import reasons
 from .turn import Turn
@@ -34,6 +35,8 @@ def decide(rules: Rules[Any], ruling: Ruling, player: Player, seed: str) -> Deci
     turn = Turn(rules, ruling, player)
     if turn.ask.kind == CHOOSE:
         return Decision((_option(turn)[1],))
+    if rules.lags:
+        return Decision((lag(turn),))
     weighed = _weighed(turn, random.Random(f"judgement {seed}"))
     choice = _better(turn, weighed[0].value) if turn.ask.options else None
     return Decision((choice,) if choice else _actions(weighed), tuple(weighed))

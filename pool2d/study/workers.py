@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import os
 import pickle
-import signal
 import threading
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import resource_tracker
-from multiprocessing.connection import Connection
-from multiprocessing.context import SpawnContext, SpawnProcess
 
 from ..errors import WorkerError
 from ..physics.values import Layout, Shot
 from ..table.table import Table
+from .fresh_process import FreshContext, attend
 from .summaries import Summaries
 from .summarize import summarize
 
@@ -94,10 +91,10 @@ def processes(count: int) -> Iterator[Executor]:
 
     They are started afresh: a copy of a process that has threads or a window may hang.
     """
-    context = _Context()
+    context = FreshContext()
     # Nothing is ever sent. That our end is closed, by us or by our death, is what they wait for.
     theirs, ours = context.Pipe(duplex=False)
-    pool = ProcessPoolExecutor(count, context, _begin, (theirs,))
+    pool = ProcessPoolExecutor(count, context, attend, (theirs,))
     try:
         yield pool
     except BaseException:
@@ -107,35 +104,3 @@ def processes(count: int) -> Iterator[Executor]:
         pool.shutdown(cancel_futures=True)
         ours.close()
         theirs.close()
-
-
-class _Worker(SpawnProcess):
-    """A process that no Ctrl-C reaches while it starts: it is held back until `_begin` has it ignored."""
-
-    def start(self) -> None:
-        if not hasattr(signal, "pthread_sigmask"):
-            super().start()
-            return
-        # It would lift the block as it starts, so it has to run before.
-        resource_tracker.ensure_running()
-        mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
-        try:
-            super().start()
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-
-
-class _Context(SpawnContext):
-    Process = _Worker
-
-
-def _begin(line: Connection) -> None:
-    """What a process does first. Ctrl-C goes to all of a terminal's processes; that it ends is for us to say."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_leave_with, args=(line,), daemon=True).start()
-
-
-def _leave_with(line: Connection) -> None:
-    """End this process when the other end of the line is closed, whatever it is doing."""
-    line.poll(None)
-    os._exit(1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from enum import Enum, auto
+
 import pygame
 
 from ..table.table import Table
@@ -66,3 +68,12 @@ class Scene:
     def draw(self, frame: Frame) -> None:
         """Draw the window as it was laid out, and tell the frame what has changed."""
         raise NotImplementedError
+
+
+class Wish(Enum):
+    """A scene that is asked for without being known: PAUSED where Esc finds nothing to put away, ENDED where a
+    shot or a choice may have ended the frame, QUIT for none any more."""
+
+    PAUSED = auto()
+    ENDED = auto()
+    QUIT = auto()

@@ -47,6 +47,7 @@ ALLOWED: dict[str, tuple[float, float]] = {
 }  # fmt: skip
 LONGEST = {
     "balls.palette": 40, "screen.language": 12, "players.first": 40, "players.second": 40,
+    "players.first_by": 40, "players.second_by": 40,
     "match.game": 400, "match.table": 400, "match.breaks": 40,
 }  # fmt: skip
 SHOTS = {"angle": (-3600, 3600), "speed": (0, 50), "side": (-1, 1), "height": (-1, 1), "elevation": (0, 90)}

@@ -50,7 +50,8 @@ class Rules(Generic[S]):
     being taken; `rack` is one of its own, described as in a preset, for tables that have none of them; `groups` are the
     groups of balls that it needs; `scored` tells whether points are counted, and `series` what those of one turn at the
     table are called: a run, or a break.
-    `lags_again`: a stalemate is lagged for. `cue_counts`: a ball that was struck and falls is a pot, and stays down.
+    `lags`: it is no game, but the lag before one. `lags_again`: a stalemate is lagged for. `cue_counts`: a ball that
+    was struck and falls is a pot, and stays down.
     It has more attributes than most classes, as what tells one game from another stands in its class.
     """
 
@@ -63,6 +64,7 @@ class Rules(Generic[S]):
     groups: ClassVar[tuple[str, ...]] = ()
     scored: ClassVar[bool] = False
     series: ClassVar[str] = "run"
+    lags: ClassVar[bool] = False
     lags_again: ClassVar[bool] = False
     cue_counts: ClassVar[bool] = False
     options_type: ClassVar[type[Options]] = Options

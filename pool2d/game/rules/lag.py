@@ -38,6 +38,7 @@ class Lag(Rules[LagState]):
 
     name = "lag"
     title = "Lag"
+    lags = True
     lags_again = True
     state_type = LagState
 

@@ -33,8 +33,12 @@ class End(Dialog):
         return super().update(dt)
 
 
+# How long the end of a frame is left to be read where nobody is there to press on, s.
+_READ = 4.0
+
+
 class FrameOver(End):
-    """Between two frames: who won the last and why, and the score."""
+    """Between two frames: who won the last and why, and the score; where no person plays it goes on by itself."""
 
     def __init__(
         self, below: Scene, match: Match, on: Callable[[], Scene], leave: Callable[[], Scene]
@@ -56,6 +60,12 @@ class FrameOver(End):
                 ],
             ],
         )
+        self._on = on if match.setup.watched else None
+
+    def update(self, dt: float) -> Scene | None:
+        if self._on is not None and self._age > _READ:
+            self.go(self._on())
+        return super().update(dt)
 
 
 class MatchOver(End):

@@ -70,7 +70,7 @@ class Lobby:
         if (end := self.ended()) is not None:
             return end
         entries = [MenuEntry(lambda: say("pause.resume"), lambda: self.play)]
-        if not self.play.state.mode.may_arrange:
+        if not (self.play.state.mode.may_arrange or self.play.state.session.match.setup.watched):
             entries.append(MenuEntry(lambda: say("pause.concede"), lambda: self._ask_to_concede(menu)))
             entries.append(MenuEntry(lambda: say("pause.stalemate"), lambda: self._ask_to_begin_again(menu)))
         entries += self._always(lambda: menu)
@@ -174,10 +174,10 @@ class Lobby:
     def _ask_to_concede(self, menu: Scene) -> Scene:
         say = self.words.say
         session = self.play.state.session
-        name = session.match.names[session.ask.player]
+        name = session.match.names[session.gives_up]
 
         def concede() -> Scene:
-            session.concede(session.ask.player)
+            session.concede(session.gives_up)
             return self.ended() or self.play
 
         return Confirm(menu, say("pause.concedes", name=name), say("pause.concede"), concede)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+from contextlib import suppress
+from functools import cached_property
 
 from ...config.knobs import walk
 from ...config.settings import Store
@@ -10,23 +12,29 @@ from ...errors import InputError
 from ...game.rules import GAMES
 from ...game.session import PRACTICE
 from ...game.setup import BREAKS, COIN, LAG, Setup, can_lag
+from ...opponent.player import Player
+from ...opponent.player_file import load_player, player_names
 from ...table.preset import load_table, presets
 from ...table.table import Table
 
 RACES = (*range(1, 16), 17, 19, 21, 25, 35)
 # What stands for the table as it is being practised on, where that is not as its preset has it.
 TUNED = "*"
+# What stands for a person, where who plays is named.
+PERSON = ""
 
 
 class MatchDraft:
     """What is agreed so far. A game and a table that do not go together are brought together by `take_...`.
 
-    `preset` is the table by its preset's name, or TUNED; `race`, `breaker` and `breaks` are as in a `Setup`. It begins
+    `preset` is the table by its preset's name, or TUNED; `sides` are who plays, by the names of files, PERSON for a
+    person; `race`, `breaker` and `breaks` are as in a `Setup`. It begins
     with what was agreed for the match before, as `store` has it, or with `table`, on which is practised.
     """
 
     def __init__(self, store: Store, table: Table) -> None:
         last = store.values.match
+        self.sides = [name if name in self.offered else PERSON for name in store.values.players.sides]
         self.preset = last.table or table.source
         game, _, options = last.game.partition(" ")
         self.game = game if game in self.games else ""
@@ -42,6 +50,28 @@ class MatchDraft:
             self.options = _understood(options, self.game)
         else:
             self.take_table(table.source)
+
+    @property
+    def offered(self) -> tuple[str, ...]:
+        """Who may play a side: a person, and all players, the weakest first."""
+        return (PERSON, *self._players)
+
+    def player(self, side: int) -> Player | None:
+        """Who plays a side; None for a person."""
+        return self.player_of(self.sides[side])
+
+    def player_of(self, name: str) -> Player | None:
+        """A player by the name of a file; None for a person."""
+        return self._players.get(name)
+
+    @cached_property
+    def _players(self) -> dict[str, Player]:
+        """The players whose files can be read."""
+        found: dict[str, Player] = {}
+        for name in player_names():
+            with suppress(InputError):
+                found[name] = load_player(name)
+        return found
 
     @property
     def games(self) -> list[str]:
@@ -107,7 +137,8 @@ class MatchDraft:
     def setup(self, names: tuple[str, ...]) -> Setup:
         """The setup of the match, its racks and its coin drawn anew."""
         seed = random.randrange(1 << 30)
-        return Setup(self.game, self.options, names, self.race, self.breaks, self.breaker, seed)
+        sides = tuple(self.sides)
+        return Setup(self.game, self.options, names, self.race, self.breaks, self.breaker, seed, sides)
 
     def keep(self, store: Store) -> None:
         """Let the next match be set up as this one; a table as it was tuned is gone by then."""
@@ -120,6 +151,8 @@ class MatchDraft:
         }
         for name, value in agreed.items():
             store.turn(f"match.{name}", value)
+        for side, name in zip(("first", "second"), self.sides, strict=True):
+            store.turn(f"players.{side}_by", name)
 
 
 def _understood(kept: str, game: str) -> dict[str, float | str]:

@@ -19,7 +19,7 @@ from ..scene import Scene
 from ..widgets.field import TextField
 from ..widgets.inputs import Selector
 from ..widgets.widget import Button, Gap, Heading, Toggle, Widget
-from ..wording import ruling_text
+from ..wording import player_text, ruling_text
 from ..wording.words import Words
 from .match_draft import RACES, TUNED, MatchDraft
 
@@ -28,6 +28,7 @@ _LADDER = (*range(11), 12, 15, 20, 25, 30, 35, 40, 50, 60, 75, 80, 100, 125, 150
 # As many rows as the game with the most options takes, lest the panel jump from one game to the next.
 _TALL = 5.0
 _SETTINGS = ("players.first", "players.second")
+_SIDES = ("players.first_by", "players.second_by")
 
 
 class NewMatch(Dialog):
@@ -66,8 +67,9 @@ class NewMatch(Dialog):
     @property
     def names(self) -> tuple[str, ...]:
         """The players as they are called in the match."""
-        given = [field.value.strip() for field in self.fields]
-        return tuple(name or field.instead for name, field in zip(given, self.fields, strict=True))
+        first, second = (self._name(side) for side in range(2))
+        # Who plays against themselves is told apart.
+        return first, second if second != first else f"{second} 2"
 
     def start(self) -> None:
         """Begin the match; what speaks against it is told."""
@@ -95,7 +97,8 @@ class NewMatch(Dialog):
                 [Gap(0.2)],
                 *self._game_and_table(),
                 [Gap(0.2)],
-                [*self.fields],
+                [self._side(0), self._side(1)],
+                [self._named(0), self._named(1)],
                 *self._race_and_breaks(),
                 [Gap(0.2)],
                 *([widget] for widget in options),
@@ -103,7 +106,7 @@ class NewMatch(Dialog):
                 [Heading(lambda: self.wrong or self.barred, theme.WARNING, lines=2)],
                 [
                     Button(say("form.cancel"), self.close),
-                    Button(say("match.start"), self.start, strong=True, barred=lambda: bool(self.barred)),
+                    Button(self._started, self.start, strong=True, barred=lambda: bool(self.barred)),
                 ],
             ]
         )
@@ -120,6 +123,38 @@ class NewMatch(Dialog):
             say("setting.match.table"), lambda: draft.tables, lambda: draft.preset, self._take_table, shown=self._title
         )
         return [[game], [table]]
+
+    @property
+    def _started(self) -> str:
+        """What the button says that begins the match."""
+        say = self.words.say
+        return say("match.watch") if all(self.draft.sides) else say("match.start")
+
+    def _side(self, side: int) -> Selector:
+        """Who plays a side."""
+        say, name = self.words.say, _SIDES[side]
+        return Selector(
+            say(f"setting.{name}"), lambda: self.draft.offered, lambda: self.draft.sides[side],
+            lambda who: self._take_side(side, who),
+            say(f"setting.{name}_hint"), self._who,
+        )  # fmt: skip
+
+    def _named(self, side: int) -> Widget:
+        """A person's name; of a player, what there is to be said."""
+        player = self.draft.player(side)
+        if player is None:
+            return self.fields[side]
+        heading = Heading(lambda: player_text.about(self.words, player), lines=3)
+        heading.rows = self.fields[side].rows
+        return heading
+
+    def _who(self, name: str) -> str:
+        player = self.draft.player_of(name)
+        return self.words.say("match.person") if player is None else player_text.title(self.words, player)
+
+    def _name(self, side: int) -> str:
+        player, field = self.draft.player(side), self.fields[side]
+        return field.value.strip() or field.instead if player is None else player.name
 
     def _race_and_breaks(self) -> list[list[Widget]]:
         say = self.words.say
@@ -194,6 +229,10 @@ class NewMatch(Dialog):
     def _take_game(self, name: str) -> None:
         self.draft.take_game(name)
         self.wrong = ""
+        self._fill()
+
+    def _take_side(self, side: int, who: str) -> None:
+        self.draft.sides[side] = who
         self._fill()
 
     def _take_race(self, race: str) -> None:

@@ -25,7 +25,7 @@ _CHOOSING = (pygame.K_TAB, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygam
 class CallStrip:
     """The strip of buttons in the lower bar, which offers just what the ruling allows; `calls` is what was said.
 
-    `taken` is how much of the message's room it takes, in pixels.
+    `taken` is how much of the message's room it takes, in pixels; `offers` whether there is a person to press them.
     """
 
     def __init__(self, calls: Calls, words: Words) -> None:
@@ -33,6 +33,7 @@ class CallStrip:
         self.words = words
         self.form = Form([], margin=1)
         self.taken = 0
+        self.offers = True
         self._moment: Moment | None = None
         self._shown: object = None
 
@@ -44,10 +45,10 @@ class CallStrip:
                 self.calls.forget()
             self._moment = now
         # Said anew in another language, too.
-        shown = (session.match.now, self.calls.pocket, self.calls.meant(session), self.words.language)
+        shown = (session.match.now, self.calls.pocket, self.calls.meant(session), self.words.language, self.offers)
         if shown != self._shown:
             self._shown = shown
-            self.form.set_rows(self._rows(session))
+            self.form.set_rows(self._rows(session) if self.offers else [])
             # While one aims, the keys are not the strip's.
             self.form.by_keys = session.ask.kind == CHOOSE
 

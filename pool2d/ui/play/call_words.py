@@ -35,9 +35,7 @@ def called(words: Words, calls: Calls, session: Session, aimed: str) -> str:
 def verdict(words: Words, calls: Calls, session: Session, held: bool = False) -> str:
     """What the last ruling says, in sentences, and what it leaves to the player, who may have a ball in hand."""
     ask = session.ask
-    # To put the cue ball down is no news.
-    moment = next(moment for moment in reversed(session.match.history) if not placing(moment))
-    said = [ruling_text.verdict(words, moment, session.match)]
+    said = [ruled(words, session)]
     if ask.kind in (AIM, PLACE) and not session.is_practice:
         said += _on(words, ask)
     if calls.pockets(session) and not (calls.ball or calls.pocket):
@@ -49,6 +47,13 @@ def verdict(words: Words, calls: Calls, session: Session, held: bool = False) ->
     if ask.kind == OVER:
         said.append(words.say("referee.over", key=words.key("strike")))
     return " ".join(said)
+
+
+def ruled(words: Words, session: Session) -> str:
+    """What the last ruling says, in sentences."""
+    # To put the cue ball down is no news.
+    moment = next(moment for moment in reversed(session.match.history) if not placing(moment))
+    return ruling_text.verdict(words, moment, session.match)
 
 
 def _on(words: Words, ask: Ask) -> list[str]:

@@ -11,7 +11,7 @@ from ...config.settings import GUIDES
 from ...errors import InputError
 from ...game.rules import AIM
 from ..dialogs.save_table import ask_to_save
-from ..scene import Scene
+from ..scene import Scene, Wish
 from ..screen import Screen
 from ..stage.stage import Stage
 from ..stage.timeline import Timeline
@@ -22,11 +22,12 @@ from .call_strip import CallStrip
 from .editing import Editing
 from .mouse import Mouse
 from .positions import Positions
-from .state import PlayState, Wish
+from .state import PlayState
 from .tuning import Tuning
 from .tuning_panel import TuningPanel
 
 _BY_HAND = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEWHEEL)
+_MOUSE = (*_BY_HAND, pygame.MOUSEBUTTONUP)
 _ARROWS = {"turn_left": (-1.0, 0.0), "turn_right": (1.0, 0.0), "harder": (0.0, 1.0), "softer": (0.0, -1.0)}
 
 
@@ -54,6 +55,7 @@ class Controller:
             self._strip,
             lambda event: stage.camera.handle(event, pygame.key.get_mods()),
             self._review,
+            self._look_on,
             self.editing.handle,
             self._key,
             self.mouse.handle,
@@ -98,14 +100,15 @@ class Controller:
     def update(self, dt: float) -> None:
         """Let `dt` seconds pass for what hands take hold of, and for the state."""
         state = self.state
+        self.call_strip.offers = state.mode.persons_turn
         self.call_strip.follow(state.session)
         self.call_strip.form.update(dt)
         if self.tuning_panel is not None:
             self.tuning_panel.tuning.follow(state.aimed())
             self.tuning_panel.update(dt)
         rested = state.update(dt)
-        if rested is not None and not rested.review and state.playback is None and state.hands.pointer is not None:
-            self.mouse.move(state.hands.pointer)
+        if rested is not None and not rested.review and state.playback is None and state.mode.persons_turn:
+            self.mouse.follow()
         state.hand_over_cue_ball()
 
     def lay_out(self, screen: Screen) -> None:
@@ -124,7 +127,8 @@ class Controller:
         self._fast_forward(False)
         self.stage.camera.let_go()
         self.timeline.let_go()
-        self.state.in_hand.put_back()
+        if self.state.mode.persons_turn:
+            self.state.in_hand.put_back()
         self.mouse.put_down()
 
     # The takers.
@@ -167,6 +171,15 @@ class Controller:
         """The time line of a shot that is seen again."""
         shown = self.state.playback
         return shown is not None and shown.review and self.timeline.handle(event, shown)
+
+    def _look_on(self, event: pygame.event.Event) -> bool:
+        """What hands would do to the table while the turn is no person's, which is nothing."""
+        if self.state.mode.persons_turn or self.state.playback is not None:
+            return False
+        if event.type != pygame.KEYDOWN:
+            return event.type in _MOUSE
+        action = self.state.words.keys.action_of(event.key, getattr(event, "mod", 0))
+        return action in (*self.state.hands.keys, *self.editing.keys, "turn_left", "turn_right", "jump_cue")
 
     def _key(self, event: pygame.event.Event) -> bool:
         """The keys, by the names of their actions."""
@@ -223,7 +236,8 @@ class Controller:
 
     def _cancel(self) -> None:
         state, busy = self.state, self.state.hands.busy
-        if self.editing.cancel() or (not busy and state.mode.cancel()):
+        by_hand = state.mode.persons_turn
+        if (by_hand and self.editing.cancel()) or (not busy and state.mode.cancel()):
             return
         if self.tuning is None and state.playback is None and not busy:
             state.go_to(Wish.PAUSED)

@@ -29,14 +29,16 @@ class Hands:
     tells whether the pointer has stayed where it began; `drag` names the diagram being dragged; `hold` is where the
     pointer was when the aim was set by wheel or keys. `armed` is whether a key may strike: not until a hand has shown
     that it means this stroke, and not what was there before it. `player` is whose hands they are, `rested` how long
-    the balls have been at rest, s. `keys` is what keys do, by the names of their actions.
+    the balls have been at rest, s. `swing` is how far back a cue is, as a part of a full pull, that no button holds.
+    `keys` is what keys do, by the names of their actions. They have more attributes than most classes, as whatever a
+    hand may be doing is told apart.
     """
 
     def __init__(self) -> None:
         self.aim = Aim()
         self.pointer: Pos | None = None
         self.pull: Pos | None = None
-        self.pulled = 0.0
+        self.pulled = self.swing = 0.0
         self.clicked = False
         self.drag = ""
         self.hold: Pos | None = None
@@ -74,7 +76,7 @@ class Hands:
     @property
     def drawn(self) -> float:
         """How far back the cue is, as a part of a full pull."""
-        return 0.0 if self.pull is None else min(max(self.pulled / FULL_PULL, 0.0), 1.0)
+        return self.swing if self.pull is None else min(max(self.pulled / FULL_PULL, 0.0), 1.0)
 
     def point(self, pos: Pos, view: View, cue: Ball, radius: float) -> None:
         """Aim through the pointer, unless a fine aim is held or the pointer is on the ball itself.
@@ -138,6 +140,7 @@ class Hands:
         """Let go of everything without a stroke."""
         self.pull = None
         self.drag = ""
+        self.swing = 0.0
 
     def turn(self, degrees: float) -> None:
         """Turn the aim finely; it holds against small movements of the pointer."""

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from ...game.actions import Stroke
 from ...game.drills.drill import Step
-from ...game.rules.report import Call
 from ...game.session import Session
 from ...physics.rollout import Rollout
-from ...physics.values import Shot
 from ..stage.playback import Playback
 from ..wording import ruling_text
 from ..wording.words import Words
@@ -29,6 +28,16 @@ class Mode:
         self.session = session
         self.words = words
         self.keys: Mapping[str, Callable[[], None]] = {}
+
+    @property
+    def persons_turn(self) -> bool:
+        """Whether it is for a person's hands to go on; else they only look on."""
+        return True
+
+    @property
+    def still(self) -> bool:
+        """Whether nothing is going to happen by itself."""
+        return True
 
     # What is said.
 
@@ -65,9 +74,11 @@ class Mode:
 
     # What happens at a session's turns.
 
-    def play(self, shot: Shot, call: Call) -> Rollout:
-        """Play a shot; raises InputError and BudgetError as the session does."""
-        return self.session.play(shot, call)
+    def play(self, stroke: Stroke) -> Rollout:
+        """Play a stroke; raises InputError and BudgetError as the session does."""
+        rollout = self.session.do(stroke).rollout
+        assert rollout is not None
+        return rollout
 
     def at_rest(self, shown: Playback) -> Message | None:
         """Do what follows on a shot that has been seen; what is to be said of it, None for what is said already."""
@@ -77,12 +88,18 @@ class Mode:
         """Take a key of the stroke, or a press on the cloth, before it means a stroke; whether it meant this."""
         return False
 
+    def update(self, dt: float) -> None:
+        """Let `dt` seconds pass while no shot is shown."""
+
     def rack(self) -> bool:
         """Set the balls up in the mode's own way; False where it has none."""
         return False
 
     def drop(self) -> None:
         """Let go of whatever the mode is showing."""
+
+    def leave(self) -> None:
+        """Let go of whatever the mode holds beside the table: the session is left."""
 
     def cancel(self) -> bool:
         """Take the key that goes back; whether it meant something in this mode."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pygame
 
 from ...game.rules import AIM, OVER
+from ..scene import Wish
 from ..stage.stage import Stage
 from ..wording.keys import fine_step
 from .editing import Editing
-from .state import PlayState, Wish
+from .state import PlayState
 
 Pos = tuple[int, int]
 
@@ -48,6 +49,11 @@ class Mouse:
         elif not state.session.in_hand:
             cue = state.session.cue
             hands.point(pos, self.stage.view, cue, state.session.table.body_of(cue)[0])
+
+    def follow(self) -> None:
+        """Aim through the pointer where it is, if it is known."""
+        if self.state.hands.pointer is not None:
+            self.move(self.state.hands.pointer)
 
     def _press(self, pos: Pos) -> None:
         state, screen = self.state, self.stage.screen

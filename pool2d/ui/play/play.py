@@ -17,14 +17,15 @@ from ...game.session import Session
 from ...sound.mixer import Sounds
 from ...table.table import Table
 from ..frame import Frame
-from ..scene import Scene
+from ..scene import Scene, Wish
 from ..screen import Screen
 from ..stage.stage import Stage
 from ..wording.words import Words
 from . import play_view
 from .controller import Controller
 from .modes.drill_mode import DrillMode
-from .state import PlayState, Wish
+from .modes.mode_choice import mode_of
+from .state import PlayState
 
 
 class Game(NamedTuple):
@@ -70,7 +71,7 @@ class Play(Scene):
             return False
         if state.playback is not None:
             return state.playback.still
-        return state.messages.settled and not state.hands.guarded
+        return state.messages.settled and not state.hands.guarded and state.mode.still
 
     @property
     def opens_pages(self) -> bool:
@@ -128,11 +129,11 @@ class Play(Scene):
         return self
 
     def close(self) -> None:
-        """Let go of the record of what is played; a match goes on under a drill, which has no record."""
-        (self._below[0] if self._below is not None else self._game).state.session.leave()
+        """Let go of what is played; a match goes on under a drill, which has no record."""
+        (self._below[0] if self._below is not None else self._game).state.leave()
 
     def _set_out(self, session: Session) -> Game:
-        stage, state = Stage(session.table), PlayState(session, self.words, self.sounds)
+        stage, state = Stage(session.table), PlayState(session, self.words, self.sounds, mode_of)
         return Game(state, Controller(state, stage, self), stage)
 
     def _leave_drill(self) -> None:

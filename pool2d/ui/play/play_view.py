@@ -66,7 +66,8 @@ def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
 def notes(state: PlayState, speed: float) -> str:
     """What is to be said of the shot that is aimed."""
     session, shot = state.session, state.aimed(speed)
-    if state.playback is not None or session.ask.kind != AIM or speed == 0.0:
+    looks_on = state.playback is not None or not state.mode.persons_turn
+    if looks_on or session.ask.kind != AIM or speed == 0.0:
         return ""
     if state.clearance.elevation is None:
         others = state.foresight.other_tips(session.table, session.layout, state.chosen())
@@ -107,12 +108,12 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
     """The balls as they lie, the guide, and the cue or the ball in hand."""
     surface, session, stage, hands = frame.surface, state.session, controller.stage, state.hands
     held = state.in_hand.held(session)
-    aiming = held is None and session.ask.kind == AIM
+    aiming, by_hand = held is None and session.ask.kind == AIM, state.mode.persons_turn
     if controller.tuning is not None and hands.pull is None:
         stage.comparison(surface, controller.tuning.old, controller.tuning.other, controller.tuning.new)
-    elif aiming and hands.speed > 0.0:
+    elif aiming and by_hand and hands.speed > 0.0:
         _guide(surface, state, stage)
-    if aiming and session.movable and not state.mode.may_arrange:
+    if aiming and by_hand and session.movable and not state.mode.may_arrange:
         stage.glow(surface, session.cue)
     stage.balls(frame, state.shown_balls, but=held.id if held is not None else "")
     if held is not None:
@@ -122,7 +123,8 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
         # The shot of the guide, so that one is worked out; before the cue is drawn back far enough, the one of before.
         shot = state.aimed(hands.speed or hands.aim.speed)
         aimed = state.first_hit(shot) if state.calls.pocket else ""
-        controller.call_strip.mark(surface, stage.view, session, aimed, hands.pointer if hands.pull is None else None)
+        pointer = hands.pointer if by_hand and hands.pull is None else None
+        controller.call_strip.mark(surface, stage.view, session, aimed, pointer)
         cue.draw(surface, session.table, session.cue, Aim.of(shot), cue_motion.stand(hands.drawn), stage.view)
 
 

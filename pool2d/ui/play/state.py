@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from dataclasses import replace
-from enum import Enum, auto
 from itertools import pairwise
 
 from ...draw import cue_motion
 from ...errors import BudgetError, InputError
+from ...game.actions import Stroke
 from ...game.aim import Aim
 from ...game.rules import AIM, OVER
 from ...game.session import Session, practice
@@ -18,7 +19,7 @@ from ...sound.mixer import Sounds
 from ...table.clearance import Clearance
 from ...table.preset import load_table
 from ...table.table import Table
-from ..scene import Scene
+from ..scene import Scene, Wish
 from ..stage.playback import Playback
 from ..stage.show import Show
 from ..stage.shown_balls import BallHistory, ShownBalls
@@ -30,20 +31,9 @@ from .hands import Hands
 from .in_hand import InHand
 from .messages import Messages
 from .mode import Mode
-from .modes.match_mode import MatchMode
-from .modes.practice_mode import PracticeMode
 
 # A shot shorter than this, s, that is seen again stays on its last moment until it is left.
 _SHORT = 4.0
-
-
-class Wish(Enum):
-    """A scene that the state asks for without knowing it: PAUSED where Esc finds nothing to put away, ENDED where a
-    shot or a choice may have ended the frame, QUIT for none any more."""
-
-    PAUSED = auto()
-    ENDED = auto()
-    QUIT = auto()
 
 
 class PlayState:
@@ -54,7 +44,7 @@ class PlayState:
     it is the one place where what hands, panels and menus do to a game is done.
     """
 
-    def __init__(self, session: Session, words: Words, sounds: Sounds) -> None:
+    def __init__(self, session: Session, words: Words, sounds: Sounds, mode_of: Callable[[PlayState], Mode]) -> None:
         self.session = session
         self.words = words
         self.sounds = sounds
@@ -69,7 +59,8 @@ class PlayState:
         self.easy_stroke = False
         # The last stroke, and the elevation that its player had chosen for it.
         self._struck: tuple[Shot | None, float] = None, 0.0
-        self.mode = _mode_of(self)
+        self._mode_of = mode_of
+        self.mode = mode_of(self)
         self.messages = Messages(lambda: self.mode.standing)
         self.hands.player = session.ask.player
         self.messages.show(self.mode.welcome)
@@ -106,7 +97,8 @@ class PlayState:
     def aimed(self, speed: float | None = None) -> Shot:
         """The shot that is aimed, at the speed of a stroke by key or another, m/s, its butt as high as it has to be."""
         shot = self.chosen(speed)
-        least = self.clearance.elevation
+        # Who plays without hands has seen to that.
+        least = self.clearance.elevation if self.mode.persons_turn else None
         return shot if least is None else replace(shot, elevation=least)
 
     def chosen(self, speed: float | None = None) -> Shot:
@@ -140,12 +132,17 @@ class PlayState:
             return
         shot = self.aimed(speed)
         try:
-            rollout = self.mode.play(shot, self.calls.said(self.session, self.first_hit(shot)))
+            self.play(Stroke(shot, self.calls.said(self.session, self.first_hit(shot))), drawn)
         except (InputError, BudgetError) as error:
             self.messages.say(str(error))
             return
         self._struck = shot, self.hands.aim.elevation
-        self.run(Playback(rollout, shot, cue_motion.lead(drawn, self.show.effects)))
+
+    def play(self, stroke: Stroke, drawn: bool) -> None:
+        """Play a stroke and show it; raises InputError and BudgetError as the session does, nothing having changed."""
+        rollout = self.mode.play(stroke)
+        self.hands.put_down()
+        self.run(Playback(rollout, stroke.shot, cue_motion.lead(drawn, self.show.effects)))
         self.messages.show(lambda: self.words.say("play.miscue") if shot_text.miscued(rollout) else "")
 
     def replay(self) -> None:
@@ -173,6 +170,7 @@ class PlayState:
             self._change_hands()
             self.hands.rested += dt
             self.messages.update(dt)
+            self.mode.update(dt)
             return None
         shown, before = self.playback, self.playback.time
         shown.update(dt)
@@ -206,10 +204,10 @@ class PlayState:
     def begin(self, session: Session) -> None:
         """Go over to another session, and leave the one that was played."""
         self.drop()
-        self.session.leave()
+        self.leave()
         self.session = session
         self.calls.forget()
-        self.take_up(_mode_of(self))
+        self.take_up(self._mode_of(self))
         self.hands.player = session.ask.player
         self.hands.take_over()
         self.hands.face(session.cue, session.layout)
@@ -218,6 +216,11 @@ class PlayState:
             if moment.rollout is not None:
                 self.balls.follow(before, moment.rollout, last)
                 last = moment
+
+    def leave(self) -> None:
+        """Play the session no more: what it holds beside the table is let go of."""
+        self.mode.leave()
+        self.session.leave()
 
     def take_up(self, mode: Mode) -> None:
         """Play the session in this mode."""
@@ -305,15 +308,13 @@ class PlayState:
     def hand_over_cue_ball(self) -> None:
         """Put a cue ball that a foul has given into the hand, from where it lies: once, lest it come back by itself."""
         now = self.session.match.now
-        if self.playback is None and not self.hands.busy and self.in_hand.given_at is not now:
+        if (
+            self.playback is None
+            and self.mode.persons_turn
+            and not self.hands.busy
+            and self.in_hand.given_at is not now
+        ):
             self.in_hand.given_at = now
             if self.session.in_hand_by_foul and not self.in_hand.ball:
                 self.in_hand.take(self.session.cue.id)
                 self.hands.keep_aim()
-
-
-def _mode_of(state: PlayState) -> Mode:
-    """How a session is played that is no drill's."""
-    if state.session.is_practice:
-        return PracticeMode(state.session, state.words)
-    return MatchMode(state.session, state.words, state.calls, state.in_hand)

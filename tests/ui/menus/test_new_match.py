@@ -30,9 +30,15 @@ def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("POOL2D_DATA", str(tmp_path))
 
 
+def people(store: Store) -> Store:
+    """Settings by which people play."""
+    store.turn("players.second_by", "")
+    return store
+
+
 @pytest.fixture
 def guest(tmp_path: Path) -> Iterator[Hand]:
-    app = App(load_table("pool-9ft"), seed=3, store=Store(tmp_path / "settings.toml"), menu=True)
+    app = App(load_table("pool-9ft"), seed=3, store=people(Store(tmp_path / "settings.toml")), menu=True)
     pygame.event.clear()
     hand = Hand(app)
     hand.key(pygame.K_RETURN)

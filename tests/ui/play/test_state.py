@@ -10,8 +10,10 @@ from pool2d.game.setup import Setup
 from pool2d.sound.mixer import Sounds
 from pool2d.ui.play.messages import Message, Messages
 from pool2d.ui.play.modes.match_mode import MatchMode
+from pool2d.ui.play.modes.mode_choice import mode_of
 from pool2d.ui.play.modes.practice_mode import PracticeMode
-from pool2d.ui.play.state import PlayState, Wish
+from pool2d.ui.play.state import PlayState
+from pool2d.ui.scene import Wish
 from pool2d.ui.wording.words import Words
 
 TABLE = load_table("pool-9ft")
@@ -19,7 +21,7 @@ TABLE = load_table("pool-9ft")
 
 @pytest.fixture
 def state() -> PlayState:
-    made = PlayState(practice(TABLE, seed=3), Words(), Sounds())
+    made = PlayState(practice(TABLE, seed=3), Words(), Sounds(), mode_of)
     made.arrange(Layout([Ball("cue", 0.6, 0.6), Ball("1", 0.3, 0.3)]))
     return made
 

@@ -6,14 +6,13 @@ from collections.abc import Callable, Sequence
 
 from ....draw import cue_motion
 from ....errors import BudgetError, InputError
+from ....game.actions import Stroke
 from ....game.aim import Aim
 from ....game.drills.best_results import best, keep
 from ....game.drills.drill import Run, Step, judge, start
 from ....game.drills.drill_session import DrillSession
-from ....game.rules.report import Call
 from ....physics.rollout import Rollout
 from ....physics.simulate import simulate
-from ....physics.values import Shot
 from ...stage.playback import Playback
 from ...wording import ruling_text
 from ..messages import Message
@@ -102,10 +101,10 @@ class DrillMode(Mode):
 
     # What happens at the session's turns.
 
-    def play(self, shot: Shot, call: Call) -> Rollout:
-        """Play a shot, and keep the result where it ends an attempt."""
+    def play(self, stroke: Stroke) -> Rollout:
+        """Play a stroke, and keep the result where it ends an attempt."""
         self._before = self.session.run
-        rollout = super().play(shot, call)
+        rollout = self.session.play(stroke.shot, stroke.call)
         run = self.session.run
         if run.standing.over and run.result:
             try:
