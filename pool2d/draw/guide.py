@@ -144,6 +144,7 @@ def draw(
         drawn.append((theme.GUIDE_BALL, guide.object_ways, 2.4 * scale))
     draw_ways(surface, drawn, view)
     least = min((cleared.gap for _, cleared in over), default=0.0)
+    struck = view.to_screen(*guide.cue[0]) if guide.cue else None
     for ball, cleared in over:
         x, y = view.to_screen(ball.x, ball.y)
         radius = table.body_of(ball)[0] * view.scale
@@ -151,8 +152,13 @@ def draw(
         # Of many, as of a rack, the figures would lie upon each other.
         if len(over) > FEW and cleared.gap > least:
             continue
-        told = f"{1000.0 * cleared.gap:.0f} mm"
-        text.draw(surface, told, round(_SMALL * scale), theme.GUIDE_AIR, (x, y - radius - 4.0 * scale), (0.5, 1.0))
+        told, size, off = f"{1000.0 * cleared.gap:.0f} mm", round(_SMALL * scale), radius + 4.0 * scale
+        wide, high = text.font(size).size(told)
+        # Above the ball, unless the cue ball would lie upon it.
+        if struck is not None and abs(struck[0] - x) < radius + wide / 2 and 0.0 < y - struck[1] < off + high + radius:
+            text.draw(surface, told, size, theme.GUIDE_AIR, (x, y + off), (0.5, 0.0))
+        else:
+            text.draw(surface, told, size, theme.GUIDE_AIR, (x, y - off), (0.5, 1.0))
     if guide.ghost is None or level < GHOST:
         return
     radius = table.body_of(guide.ghost)[0] * view.scale

@@ -307,3 +307,20 @@ def test_what_is_jumped_is_ringed_and_its_gap_written() -> None:
     columns, rows = off.any(axis=2).any(axis=1).nonzero()[0], off.any(axis=2).any(axis=0).nonzero()[0]
     assert columns.min() > x - 40 and columns.max() < x + 40
     assert y - 40 < rows.min() < y - 10 and rows.max() < y + 15
+
+
+def test_the_gap_of_a_ball_below_the_cue_ball_is_written_below_it() -> None:
+    """Above it the cue ball, drawn later, would hide the figure."""
+    pygame.font.init()
+    balls = Layout([Ball("cue", 1.0, 0.72), Ball("7", 1.0, 0.62), Ball("1", 1.0, 0.2)])
+    rollout = short(balls, Shot(-90.0, 3.4, elevation=60.0, jump=True))
+    view = fit(2.54, 1.27, (0, 0, 640, 360))
+    over = [(balls[one.ball], one) for one in jumped(rollout, TABLE, "cue")]
+    assert [ball.id for ball, _ in over] == ["7"]
+    without, marked = (pygame.Surface((640, 360)) for _ in range(2))
+    guide.draw(without, guide.foresee(rollout, "cue"), guide.GHOST, TABLE, view)
+    guide.draw(marked, guide.foresee(rollout, "cue"), guide.GHOST, TABLE, view, over)
+    off = pygame.surfarray.array3d(without) != pygame.surfarray.array3d(marked)
+    _, y = view.to_screen(1.0, 0.62)
+    rows = off.any(axis=2).any(axis=0).nonzero()[0]
+    assert rows.min() > y - 12 and y + 14 < rows.max() < y + 40

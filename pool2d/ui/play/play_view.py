@@ -199,6 +199,8 @@ def _bars(surface: pygame.Surface, state: PlayState, controller: Controller) -> 
             aim = replace(aim, elevation=state.aimed().elevation)
         bars.draw_controls(surface, state.words, screen, aim, speed, session.table.knobs.cue.tip_friction)
     wrong = (controller.tuning.error if controller.tuning is not None else "") or state.messages.warning
-    message = wrong or f"{state.messages.text} {notes(state, hands.speed)}".strip()
     taken = controller.call_strip.taken if state.playback is None else 0
-    bars.draw_message(surface, screen, message, theme.WARNING if wrong else theme.TEXT, taken)
+    if wrong:
+        bars.draw_message(surface, screen, wrong, theme.WARNING, taken)
+    else:
+        bars.draw_message(surface, screen, state.messages.text, theme.TEXT, taken, notes(state, hands.speed))

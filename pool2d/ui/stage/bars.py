@@ -72,16 +72,29 @@ def bearing(words: Words, angle: float) -> str:
     return words.number(round(angle, 2) % 360.0, ".2f") + "\N{DEGREE SIGN}"
 
 
-def draw_message(surface: pygame.Surface, screen: Screen, message: str, color: theme.Color, taken: int = 0) -> None:
+def draw_message(
+    surface: pygame.Surface, screen: Screen, message: str, color: theme.Color, taken: int = 0, aimed: str = ""
+) -> None:  # fmt: skip
     """The message in the lower bar, wrapped into what room there is, less `taken` pixels of its width."""
     box = screen.message
     box.width = max(1, box.width - taken)
     pitch = text.font(screen.small).get_linesize()
-    lines = text.in_lines(message, screen.small, box.width, box.height // pitch)
+    lines = message_lines(message, aimed, screen.small, box.width, box.height // pitch)
     y = box.centery - pitch * len(lines) / 2
     for line in lines:
         text.draw(surface, line, screen.small, color, (box.left, y))
         y += pitch
+
+
+def message_lines(message: str, aimed: str, size: int, width: int, most: int) -> tuple[str, ...]:
+    """A message, and after it what is said of the shot that is aimed, in up to `most` lines.
+
+    Where there is no room for both, the latter goes before: it is what is to be read before the stroke.
+    """
+    told = f"{message} {aimed}".strip()
+    if aimed and len(text.wrap(told, size, width)) > most:
+        told = f"{aimed} {message}"
+    return text.in_lines(told, size, width, most)
 
 
 @lru_cache(maxsize=4)

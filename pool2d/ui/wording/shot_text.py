@@ -88,15 +88,20 @@ def measures(words: Words, event: Event, table: Table, start: Layout) -> str:
 
 
 def change(words: Words, event: Event, ball: str, cue: str) -> str:
-    """A ball's speed and spin, before and after: along the cloth, about the vertical (side), and its speed upward."""
+    """A ball's speed and spin, before and after: along the cloth, about the vertical (side), and its speed upward.
+
+    Of the last two where there is any.
+    """
     old, new = event.before[ball], event.after[ball]
     told = words.say(
         "telling.change",
         ball=ball_name(words, ball, cue),
         speed=words.number(_speed(old), ".2f"), speed_after=words.number(_speed(new), ".2f"),
-        roll=f"{_roll(old):.0f}", roll_after=f"{_roll(new):.0f}",
-        side=f"{old.wz:.0f}", side_after=f"{new.wz:.0f}",
+        roll=words.number(_roll(old), ".0f"), roll_after=words.number(_roll(new), ".0f"),
     )  # fmt: skip
+    side, side_after = words.number(old.wz, ".0f"), words.number(new.wz, ".0f")
+    if side != "0" or side_after != "0":
+        told = words.say("telling.side", told=told, side=side, side_after=side_after)
     if max(abs(old.vz), abs(new.vz)) > _STILL:
         rise, rise_after = (words.number(ball.vz, ".2f") for ball in (old, new))
         told = words.say("telling.rise", told=told, rise=rise, rise_after=rise_after)

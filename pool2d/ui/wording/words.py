@@ -105,8 +105,8 @@ class Words:
     # Numbers.
 
     def number(self, value: float, form: str) -> str:
-        """A number as the language writes it: `form` is as for `format`."""
-        return format(value, form).replace(".", self.say("number.point"))
+        """A number as the language writes it, and 0 without a sign: `form` is as for `format`, without signs."""
+        return format(value, f"z{form}").replace(".", self.say("number.point"))
 
     def quantity(self, value: float, form: str, unit: str) -> str:
         """A number with its unit, as the language writes both."""

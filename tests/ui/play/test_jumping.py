@@ -20,6 +20,7 @@ from pool2d.game.setup import Setup
 from pool2d.physics.values import AIRBORNE, OFF, Shot
 from pool2d.table.position_text import read, write
 from pool2d.ui.play.play_view import hop_note, notes
+from pool2d.ui.stage.bars import message_lines
 from pool2d.ui.wording import shot_text
 
 from ..conftest import Hand
@@ -172,3 +173,12 @@ def test_of_many_balls_that_are_jumped_the_nearest_is_told(hand: Hand) -> None:
     aim(hand, 6.0, 35.0, angle=0.0)
     said = hop_note(hand.play.state, 6.0)
     assert said.count("Over") == 1 and "Over 5 balls, the " in said
+
+
+def test_what_is_aimed_is_read_where_the_bar_has_not_room_for_all() -> None:
+    """Of a long verdict and a jump the end was cut off: by how much a ball is cleared, or that it is met."""
+    verdict, aimed = "The referee has much to say of this. " * 6, "Over the 7, by 9 mm."
+    full = " ".join(message_lines(verdict, aimed, 13, 360, 3))
+    assert full.startswith(aimed) and full.endswith("\N{HORIZONTAL ELLIPSIS}")
+    assert " ".join(message_lines("Ann to play.", aimed, 13, 360, 3)) == f"Ann to play. {aimed}"
+    assert message_lines("", aimed, 13, 360, 3) == (aimed,)

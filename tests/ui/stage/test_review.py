@@ -264,6 +264,18 @@ def test_an_event_is_told_with_its_numbers() -> None:
     assert shot_text.throw(ROLL.events[0]) is None
 
 
+def test_of_side_that_there_is_none_of_nothing_is_told_and_zero_has_no_sign() -> None:
+    """At 960 pixels a line has room for two balls that fly: "side 0 to -0" had to go."""
+    struck = ROLL.events[0]
+    told = shot_text.change(WORDS, struck, "cue", "cue")
+    assert ("side" in told) == (round(struck.after["cue"].wz) != 0)
+    spun = simulate(TABLE, CUT, Shot(0.0, 3.0, side=0.3), events=1).events[0]
+    assert f"side 0 to {spun.after['cue'].wz:.0f} rad/s" in shot_text.change(WORDS, spun, "cue", "cue")
+    plain = simulate(TABLE, CUT, Shot(0.0, 3.0), events=1).events[0]
+    assert shot_text.change(WORDS, plain, "cue", "cue").endswith("roll 0 to 0 rad/s")
+    assert [WORDS.number(value, ".1f") for value in (-0.0, -0.04, -0.06, 0.0)] == ["0.0", "0.0", "-0.1", "0.0"]
+
+
 def test_the_cue_ball_is_the_one_struck_whatever_its_name() -> None:
     contact = next(event for event in ROLL.events if event.kind == "ball_ball")
     assert shot_text.title(WORDS, contact, "1") == "Other cue ball meets cue ball"
