@@ -14,7 +14,8 @@ import pytest
 from pool2d import Shot, __version__, load_table
 from pool2d.compiled import engine
 from pool2d.config.settings import Store
-from pool2d.draw import text
+from pool2d.draw import text, theme
+from pool2d.game.aim import Aim
 from pool2d.game.records.record import load
 from pool2d.game.records.recorded_shots import RecordedShots
 from pool2d.game.records.recorder import unfinished
@@ -24,7 +25,9 @@ from pool2d.ui.app import App
 from pool2d.ui.dialogs.help import Help, hands, keys
 from pool2d.ui.replay.replay_scene import Replay
 from pool2d.ui.screen import Screen
+from pool2d.ui.stage import bars
 from pool2d.ui.wording.keys import CTRL, DEFAULTS, Keymap
+from pool2d.ui.wording.words import Words
 
 from .conftest import FRAME, Hand
 
@@ -81,6 +84,19 @@ def test_a_long_message_is_wrapped_into_its_room(hand: Hand, size: tuple[int, in
     assert " ".join(lines) == message
     assert all(text.font(screen.small).size(line)[0] <= screen.message.width for line in lines)
     assert len(lines) * text.font(screen.small).get_linesize() <= screen.message.height
+
+
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080)])
+def test_the_butt_in_the_cue_diagram_leaves_its_figure_free(size: tuple[int, int]) -> None:
+    """Raised by some 30 degrees, as over a rail, it lay upon it."""
+    screen, words = Screen(*size), Words()
+    surface = pygame.Surface(size)
+    for elevation in range(2, 81):
+        surface.fill((0, 0, 0))
+        bars.draw_controls(surface, words, screen, Aim(elevation=float(elevation)), 3.0, 0.6)
+        figure = pygame.Rect(screen.cue_diagram.topleft, text.font(screen.small).size(f"{elevation}\N{DEGREE SIGN}"))
+        shaft = (pygame.surfarray.array3d(surface.subsurface(figure)) == theme.CUE_SHAFT[:3]).all(axis=2)
+        assert not shaft.any(), elevation
 
 
 def test_a_word_wider_than_the_room_is_broken() -> None:

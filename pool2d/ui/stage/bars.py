@@ -89,8 +89,11 @@ def draw_message(
 def message_lines(message: str, aimed: str, size: int, width: int, most: int) -> tuple[str, ...]:
     """A message, and after it what is said of the shot that is aimed, in up to `most` lines.
 
-    Where there is no room for both, the latter goes before: it is what is to be read before the stroke.
+    Where there is no room for both, the latter goes before: it is what is to be read before the stroke. A message that
+    ends in a name, or in a path, is ended by a full stop then.
     """
+    if aimed and message and message[-1].isalnum():
+        message += "."
     told = f"{message} {aimed}".strip()
     if aimed and len(text.wrap(told, size, width)) > most:
         told = f"{aimed} {message}"
@@ -137,11 +140,15 @@ def _cue_diagram(surface: pygame.Surface, box: pygame.Rect, screen: Screen, aim:
              centre[1] - ahead[1] * radius + up[1] * aim.height * radius)  # fmt: skip
     length = unit * (9.5 if aim.elevation < 40.0 else 7.0 - 2.0 * aim.elevation / MAX_ELEVATION)
     length *= 0.5 if named else 1.0
+    label = f"{aim.elevation:.0f}\N{DEGREE SIGN}"
+    # The butt ends below its figure, or beside it.
+    wide, high = text.font(screen.small).size(label)
+    beside, below = start[0] - box.left - wide - unit * 0.5, start[1] - box.top - high - unit * 0.4
+    length = min(length, max(beside / max(ahead[0], 1e-9), below / max(up[0], 1e-9)))
     butt = (start[0] - ahead[0] * length, start[1] - ahead[1] * length)
     pen.disc(surface, theme.IVORY, centre, radius)
     pen.line(surface, theme.CUE_SHAFT, start, butt, unit * 0.45)
     pen.line(surface, theme.CUE_TIP, start, (start[0] - ahead[0] * 4, start[1] - ahead[1] * 4), unit * 0.45)
-    label = f"{aim.elevation:.0f}\N{DEGREE SIGN}"
     place = text.draw(surface, label, screen.small, theme.QUIET, (box.left, box.top))
     if named:
         text.draw(surface, named, screen.small, theme.ACCENT, (place.right + unit, box.top))

@@ -224,8 +224,13 @@ class Timeline:
         told = shot_text.measures(self.words, event, table, shown.rollout.start)
         numbers = text.fitted(told, size, place.left - name.right - 4 * unit)
         text.draw(surface, numbers, size, theme.TEXT, (name.right + 2 * unit, y))
-        balls = "    ".join(shot_text.change(self.words, event, ball, cue) for ball in event.balls)
-        text.draw(surface, text.fitted(balls, size, right - left), size, theme.TEXT, (left, y + pitch))
+        balls = text.fitted(self._balls(event, cue, brief=False), size, right - left)
+        if balls.endswith("\N{HORIZONTAL ELLIPSIS}"):
+            balls = text.fitted(self._balls(event, cue, brief=True), size, right - left)
+        text.draw(surface, balls, size, theme.TEXT, (left, y + pitch))
+
+    def _balls(self, event: Event, cue: str, brief: bool) -> str:
+        return "    ".join(shot_text.change(self.words, event, ball, cue, brief) for ball in event.balls)
 
 
 def _hint(words: Words, action: str) -> str:

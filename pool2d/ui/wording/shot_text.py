@@ -87,21 +87,22 @@ def measures(words: Words, event: Event, table: Table, start: Layout) -> str:
     return "   ".join(part for part in parts if after)
 
 
-def change(words: Words, event: Event, ball: str, cue: str) -> str:
+def change(words: Words, event: Event, ball: str, cue: str, brief: bool = False) -> str:
     """A ball's speed and spin, before and after: along the cloth, about the vertical (side), and its speed upward.
 
-    Of the last two where there is any.
+    Of the last where there is any; where it is to be `brief`, of side too.
     """
     old, new = event.before[ball], event.after[ball]
-    told = words.say(
-        "telling.change",
-        ball=ball_name(words, ball, cue),
-        speed=words.number(_speed(old), ".2f"), speed_after=words.number(_speed(new), ".2f"),
-        roll=words.number(_roll(old), ".0f"), roll_after=words.number(_roll(new), ".0f"),
-    )  # fmt: skip
     side, side_after = words.number(old.wz, ".0f"), words.number(new.wz, ".0f")
-    if side != "0" or side_after != "0":
-        told = words.say("telling.side", told=told, side=side, side_after=side_after)
+    numbers = {
+        "speed": words.number(_speed(old), ".2f"), "speed_after": words.number(_speed(new), ".2f"),
+        "roll": words.number(_roll(old), ".0f"), "roll_after": words.number(_roll(new), ".0f"),
+    }  # fmt: skip
+    name = ball_name(words, ball, cue)
+    if brief and side == side_after == "0":
+        told = words.say("telling.change_unspun", ball=name, **numbers)
+    else:
+        told = words.say("telling.change", ball=name, side=side, side_after=side_after, **numbers)
     if max(abs(old.vz), abs(new.vz)) > _STILL:
         rise, rise_after = (words.number(ball.vz, ".2f") for ball in (old, new))
         told = words.say("telling.rise", told=told, rise=rise, rise_after=rise_after)

@@ -182,3 +182,5 @@ def test_what_is_aimed_is_read_where_the_bar_has_not_room_for_all() -> None:
     assert full.startswith(aimed) and full.endswith("\N{HORIZONTAL ELLIPSIS}")
     assert " ".join(message_lines("Ann to play.", aimed, 13, 360, 3)) == f"Ann to play. {aimed}"
     assert message_lines("", aimed, 13, 360, 3) == (aimed,)
+    assert message_lines("Opened: rail", aimed, 13, 360, 3) == (f"Opened: rail. {aimed}",)
+    assert message_lines("Opened: rail", "", 13, 360, 3) == ("Opened: rail",)

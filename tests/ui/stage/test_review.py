@@ -264,15 +264,15 @@ def test_an_event_is_told_with_its_numbers() -> None:
     assert shot_text.throw(ROLL.events[0]) is None
 
 
-def test_of_side_that_there_is_none_of_nothing_is_told_and_zero_has_no_sign() -> None:
-    """At 960 pixels a line has room for two balls that fly: "side 0 to -0" had to go."""
-    struck = ROLL.events[0]
-    told = shot_text.change(WORDS, struck, "cue", "cue")
-    assert ("side" in told) == (round(struck.after["cue"].wz) != 0)
-    spun = simulate(TABLE, CUT, Shot(0.0, 3.0, side=0.3), events=1).events[0]
-    assert f"side 0 to {spun.after['cue'].wz:.0f} rad/s" in shot_text.change(WORDS, spun, "cue", "cue")
+def test_where_it_is_to_be_brief_nothing_is_told_of_side_that_there_is_none_of_and_zero_has_no_sign() -> None:
+    """At 960 pixels a line has no room for two balls that fly, each with "side 0 to -0"."""
     plain = simulate(TABLE, CUT, Shot(0.0, 3.0), events=1).events[0]
-    assert shot_text.change(WORDS, plain, "cue", "cue").endswith("roll 0 to 0 rad/s")
+    assert shot_text.change(WORDS, plain, "cue", "cue").endswith("roll 0 to 0, side 0 to 0 rad/s")
+    assert shot_text.change(WORDS, plain, "cue", "cue", brief=True).endswith("roll 0 to 0 rad/s")
+    spun = simulate(TABLE, CUT, Shot(0.0, 3.0, side=0.3), events=1).events[0]
+    told = shot_text.change(WORDS, spun, "cue", "cue")
+    assert told == shot_text.change(WORDS, spun, "cue", "cue", brief=True)
+    assert f"side 0 to {spun.after['cue'].wz:.0f} rad/s" in told
     assert [WORDS.number(value, ".1f") for value in (-0.0, -0.04, -0.06, 0.0)] == ["0.0", "0.0", "-0.1", "0.0"]
 
 
