@@ -69,7 +69,7 @@ def _tallies(table: str, game: str, player: Player, seed: int, number: int) -> t
 # What is measured, in how many pieces.
 Find: TypeAlias = Callable[[Player, int, int], Piece]
 PIECES: Final[Mapping[Find, int]] = {
-    _rack: RACKS, _pots: SHOTS // _SHOTS, _run: 20, _three_cushion: 4, _snooker: 4,
+    _rack: RACKS, _pots: SHOTS // _SHOTS, _run: 10, _three_cushion: 2, _snooker: 2,
 }  # fmt: skip
 TOTAL: Final = sum(PIECES.values())
 
