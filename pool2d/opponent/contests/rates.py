@@ -22,7 +22,7 @@ from .visits import potted, visit
 POOL, CAROM, SNOOKER = "pool-9ft", "carom-10ft", "snooker-12ft"
 # Shots of the set in one piece; visits to the table in a match that is looked at.
 _SHOTS: Final = 10
-_INNINGS: Final = 12
+_INNINGS: Final = 8
 
 
 class Piece(NamedTuple):
