@@ -34,6 +34,8 @@ _FURTHER: Final = 0.12
 _COUNT: Final = 3
 # What a cue ball that is put behind a line has of the chances of one that is put anywhere.
 _BEHIND: Final = 0.8
+# How often who has no pot gets away with a safety or an escape.
+_ESCAPES: Final = 0.5
 # What the end of a scored game counts, and the most that a run is held to bring, in points.
 _END: Final = 30.0
 _LONGEST: Final = 40.0
@@ -100,8 +102,20 @@ class Scale:
             run = self._run(ruling, chance)
             return self.ahead(ruling.state, player) + (run if mover == player else -run)
         mine, theirs = self._to_go(ruling, mover), self._to_go(ruling, self.rules.other(mover))
-        win = chance * self.win(mine - 1, theirs) + (1.0 - chance) * (1.0 - self.win(theirs, mine))
+        win = max(self._attack(chance, mine, theirs), self._defence(mine, theirs))
         return win if mover == player else 1.0 - win
+
+    def _attack(self, chance: float, mine: int, theirs: int) -> float:
+        """V(q): the chance to win of who goes for a pot that comes off with a chance."""
+        return chance * self.win(mine - 1, theirs) + (1.0 - chance) * (1.0 - self.win(theirs, mine))
+
+    def _defence(self, mine: int, theirs: int) -> float:
+        """The chance to win of who plays safe, or gets out of a snooker: as often as not that fails.
+
+        Where it does not, either player may be the next to have a chance.
+        """
+        failed = 1.0 - self.win(theirs, mine)
+        return _ESCAPES * 0.5 * (self.win(mine, theirs) + failed) + (1.0 - _ESCAPES) * failed
 
     def _to_go(self, ruling: Ruling, player: int) -> int:
         return self.rules.to_go(ruling.state, ruling.layout, player)
@@ -126,7 +140,9 @@ class Scale:
         """The points that a run is to bring whose first shot comes off with a chance, less what the answer brings."""
         ball = max((self.rules.worth(ball) for ball in ruling.ask.on), default=1.0)
         more = self.rate / (1.0 - self.rate)
-        return min(_LONGEST, ball * chance * (1.0 + more)) - (1.0 - chance) * 0.5 * min(_LONGEST, ball * more)
+        answer = 0.5 * min(_LONGEST, ball * more)
+        attack = min(_LONGEST, ball * chance * (1.0 + more)) - (1.0 - chance) * answer
+        return max(attack, -(1.0 - _ESCAPES) * answer)
 
 
 def either(chances: Iterable[float]) -> float:
