@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -37,7 +36,7 @@ def decide(rules: Rules[Any], ruling: Ruling, player: Player, seed: str) -> Deci
         return Decision((_option(turn)[1],))
     if rules.lags:
         return Decision((lag(turn),))
-    weighed = _weighed(turn, random.Random(f"judgement {seed}"))
+    weighed = _weighed(turn, seed)
     choice = _better(turn, weighed[0].value) if turn.ask.options else None
     return Decision((choice,) if choice else _actions(weighed), tuple(weighed))
 
@@ -60,9 +59,9 @@ def _option(turn: Turn) -> tuple[float, Choice]:
     return max(((turn.worth_of(turn.chosen(choice)), choice) for choice in choices), key=lambda one: one[0])
 
 
-def _weighed(turn: Turn, rng: random.Random) -> list[Weighed]:
+def _weighed(turn: Turn, seed: str) -> list[Weighed]:
     """What is thought of, the best first; never nothing."""
-    found = best(turn, candidates(turn), rng)
+    found = best(turn, candidates(turn), seed)
     return found or [glance(turn, anything(turn)) or Weighed(anything(turn), 0.0, 0.0)]
 
 

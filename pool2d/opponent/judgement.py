@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import random
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from statistics import fmean
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from ..errors import BudgetError
 from ..game.actions import Stroke
@@ -15,10 +16,17 @@ from ..game.reasons import Fear
 from ..game.rules import Note
 from ..physics.values import Layout
 from .candidate import Candidate
+from .candidates.pots import varied
 from .fears import fears, wrong
 from .stray import strayed
 from .turn import Turn
 
+# So many times as many candidates are played in mind for a share of the runs, first.
+_ROUGHLY: Final = 3
+_SHARE: Final = 5
+# Strokes hardly differ whose tips are this near, in radii, and whose speeds are by this share.
+_TIP: Final = 0.25
+_PACE: Final = 0.15
 # What is no pot comes off where it is no foul.
 _QUIET = ("safety", "kick", "push", "break", "hope")
 
@@ -52,7 +60,7 @@ class Weighed:
 
 def played(turn: Turn, candidate: Candidate, stroke: Stroke) -> Judged | None:
     """What comes of a stroke of a candidate's; None where it does not end."""
-    before = turn.ruling if candidate.place is None else turn.chosen(candidate.place)
+    before = turn.placed(candidate.place)
     try:
         return judged(turn.rules, before.state, before.layout, stroke)
     except BudgetError:
@@ -92,15 +100,18 @@ def glance(turn: Turn, candidate: Candidate) -> Weighed | None:
     return Weighed(candidate, value + _liking(turn, candidate), sure * found.came_off)
 
 
-def weigh(turn: Turn, weighed: Weighed, rng: random.Random) -> Weighed:
-    """A candidate as it comes out with the player's own errors, played in mind as often as the player does that."""
-    outcomes = _in_mind(turn, weighed.candidate, rng)
+def weigh(turn: Turn, weighed: Weighed, runs: int, seed: str) -> Weighed:
+    """A candidate as it comes out with the player's own errors, played in mind so many times.
+
+    The same seed draws the same errors for every candidate, so that luck tells less between them.
+    """
+    outcomes = _in_mind(turn, weighed.candidate, runs, random.Random(f"mind {seed}"))
     return _summed(turn, weighed.candidate, outcomes) if outcomes else weighed
 
 
-def _in_mind(turn: Turn, candidate: Candidate, rng: random.Random) -> list[Trial]:
-    layout = turn.layout if candidate.place is None else turn.chosen(candidate.place).layout
-    strokes = (_stray(turn, layout, candidate, rng) for _ in range(_runs(turn)))
+def _in_mind(turn: Turn, candidate: Candidate, runs: int, rng: random.Random) -> list[Trial]:
+    layout = turn.placed(candidate.place).layout
+    strokes = (_stray(turn, layout, candidate, rng) for _ in range(runs))
     return [outcome for stroke in strokes if (outcome := _trial(turn, candidate, stroke)) is not None]
 
 
@@ -127,10 +138,46 @@ def _liking(turn: Turn, candidate: Candidate) -> float:
     return turn.player.taste.attack if candidate.kind == "pot" else 0.0
 
 
-def best(turn: Turn, candidates: Iterable[Candidate], rng: random.Random) -> list[Weighed]:
-    """The candidates that are worth most, best first: all are looked at once, and a few gone through in earnest."""
-    seen = [weighed for candidate in candidates if (weighed := glance(turn, candidate)) is not None]
-    return _ranked(weigh(turn, one, rng) for one in _few(_ranked(seen), int(turn.player.judgement.few)))
+def best(turn: Turn, candidates: Iterable[Candidate], seed: str) -> list[Weighed]:
+    """The candidates that are worth most, best first.
+
+    All are looked at once, and the best pots varied a little; those that are left are played in mind a few times, and
+    the best few of those as often as the player does.
+    """
+    seen = _ranked(_glanced(turn, candidates))
+    seen = _distinct(_ranked([*seen, *_glanced(turn, _polished(turn, seen))]))
+    few, runs = int(turn.player.judgement.few), _runs(turn)
+    rough = _weighed(turn, _few(seen, _ROUGHLY * few), runs // _SHARE, seed)
+    return _weighed(turn, _few(rough, few), runs, seed)
+
+
+def _weighed(turn: Turn, some: list[Weighed], runs: int, seed: str) -> list[Weighed]:
+    return _ranked(weigh(turn, one, runs, seed) for one in some)
+
+
+def _distinct(ranked: list[Weighed]) -> list[Weighed]:
+    """Of strokes that hardly differ only the best."""
+    first: dict[object, Weighed] = {}
+    for one in ranked:
+        first.setdefault(_bucket(one.candidate), one)
+    return list(first.values())
+
+
+def _bucket(candidate: Candidate) -> object:
+    """What strokes that hardly differ have in common: what they are to do, and about how."""
+    shot = candidate.stroke.shot
+    tip = round(shot.side / _TIP), round(shot.height / _TIP), round(math.log(shot.speed) / _PACE)
+    return candidate.kind, candidate.ball, candidate.pocket, candidate.place, round(shot.angle), tip
+
+
+def _glanced(turn: Turn, candidates: Iterable[Candidate]) -> list[Weighed]:
+    return [weighed for candidate in candidates if (weighed := glance(turn, candidate)) is not None]
+
+
+def _polished(turn: Turn, ranked: list[Weighed]) -> Iterator[Candidate]:
+    pots = [one.candidate for one in ranked if one.candidate.line is not None]
+    for candidate in pots[: int(turn.player.judgement.polish)]:
+        yield from varied(turn.table, turn.placed(candidate.place).layout, candidate)
 
 
 def _ranked(weighed: Iterable[Weighed]) -> list[Weighed]:

@@ -16,6 +16,10 @@ class Judgement:
     paces: float = knob(3.0, 1.0, 4.0, "", "how many speeds it knows for each")
     heights: float = knob(3.0, 1.0, 3.0, "", "centre ball, and draw, and follow")
     sides: float = knob(3.0, 1.0, 3.0, "", "no english, and right, and left")
+    places: float = knob(10.0, 1.0, 100.0, "", "at how many places for a cue ball in hand it looks in earnest")
+    polish: float = knob(
+        3.0, 0.0, 20.0, "", "how many of its best pots it varies a little, to leave the cue ball better"
+    )
     few: float = knob(4.0, 1.0, 20.0, "", "how many plans it goes through in earnest")
     runs: float = knob(30.0, 0.0, 200.0, "", "how many times it plays each of them in its mind, with its own errors")
     safeties: float = knob(12.0, 0.0, 200.0, "", "how many safeties it looks at")

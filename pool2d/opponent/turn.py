@@ -16,8 +16,8 @@ from .player import Player
 from .pot_lines import PotLine, pot_lines
 from .worth import Scale, usual_rate
 
-# How many places of a cue ball in hand are looked at in earnest.
-PLACES: Final = 4
+# From how many places at most a break is looked at: it takes long.
+_BREAKS: Final = 4
 
 
 @dataclass(frozen=True)
@@ -96,6 +96,10 @@ class Turn:
         """What follows from a choice."""
         return self.rules.choose(self.state, self.layout, choice)
 
+    def placed(self, place: Choice | None) -> Ruling:
+        """Where the game stands when a cue ball that is in hand was put there."""
+        return self.ruling if place is None else self.chosen(place)
+
     def worth_of(self, ruling: Ruling) -> float:
         """What a ruling is worth to the player."""
         return self.scale.value(ruling, self.me)
@@ -111,7 +115,8 @@ class Turn:
             yield None, self.layout
             return
         places = sorted(self._places(cue), key=lambda place: -self._open(place, cue))
-        for x, y in places[:PLACES]:
+        count = int(self.player.judgement.places)
+        for x, y in places[: min(_BREAKS, count) if self.opens else count]:
             yield Choice("place", x, y), put(self.layout, cue, (x, y))
 
     def _places(self, cue: str) -> list[tuple[float, float]]:

@@ -29,8 +29,9 @@ _EASY: Final = 0.85
 def candidates(turn: Turn) -> Iterator[Candidate]:
     """The strokes at every ball that may be struck, from every place where that may stand."""
     for cue in turn.cues:
-        for place, layout in turn.stands(cue):
-            yield from (replace(candidate, place=place) for candidate in _from_here(turn, layout, cue))
+        for number, (place, layout) in enumerate(turn.stands(cue)):
+            found = _from_here(turn, layout, cue) if number == 0 or turn.opens else _pots(turn, layout, cue)
+            yield from (replace(candidate, place=place) for candidate in found)
 
 
 def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
@@ -41,11 +42,11 @@ def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
     if turn.opens:
         yield from breaks(turn.table, layout, turn.ask, cue, turn.player.taste.pace)
         return
-    lines = list(islice(turn.lines(layout, cue), int(see.ways)))
-    yield from pots(turn.table, layout, turn.ask, cue, lines, see)
-    yield from _by_another(turn, layout, cue, easy=bool(lines) and lines[0].chance > _EASY)
+    straight = list(_pots(turn, layout, cue))
+    yield from straight
+    yield from _by_another(turn, layout, cue, easy=any(one.prior > _EASY for one in straight))
     yield from safeties(turn.table, layout, turn.ask, cue, on, int(see.safeties))
-    if not lines:
+    if not straight:
         yield from kicks(turn.table, layout, turn.ask, cue, on, int(see.kicks))
 
 
@@ -57,6 +58,16 @@ def _by_another(turn: Turn, layout: Layout, cue: str, easy: bool) -> Iterator[Ca
         falls = [ball for ball in on if ball in wanted]
         yield from routed(turn, layout, cue, banks(turn, layout, cue, falls), int(see.banks))
         yield from routed(turn, layout, cue, potting_kicks(turn, layout, cue, falls), int(see.banks) // 2)
+
+
+def _pots(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
+    """The pots that lie open; where the cue ball was put to suit, the likeliest alone, without english."""
+    see = turn.player.judgement
+    if turn.ask.where:
+        see = replace(see, ways=1, sides=1)
+    if not turn.opens:
+        lines = islice(turn.lines(layout, cue), int(see.ways))
+        yield from pots(turn.table, layout, turn.ask, cue, lines, see)
 
 
 def anything(turn: Turn) -> Candidate:

@@ -34,7 +34,8 @@ def _along(table: Table, ask: Ask) -> Iterator[tuple[float, float]]:
     if line is None or head is None:
         return
     half = table.furniture.d_radius if ask.where == D else 0.5 * table.knobs.table.width - 2.0 * table.knobs.ball.radius
-    for part in range(_ALONG):
+    # From the middle outward.
+    for part in sorted(range(_ALONG), key=lambda part: abs(2 * part + 1 - _ALONG)):
         yield line - 1e-3, head[1] + 0.98 * half * (2.0 * part / (_ALONG - 1) - 1.0)
 
 

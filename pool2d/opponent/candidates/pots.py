@@ -25,7 +25,10 @@ SIDES: Final = (0.0, 0.3, -0.3)
 FASTEST: Final = 7.0
 _SOFTEST: Final = 0.35
 # No tip is meant to meet the ball further out than this, in radii: beyond 0.51 a chalked one slips.
-_OUTERMOST: Final = 0.46
+OUTERMOST: Final = 0.46
+# How far a pot is varied about one that is good already: the tip in radii, the speed as multiples.
+_NUDGE: Final = 0.15
+_PACES_BESIDE: Final = (0.85, 0.92, 1.08, 1.17)
 # How far a ball would run on beyond its pocket's mouth, m.
 _BEYOND: Final = 0.15
 
@@ -54,24 +57,31 @@ def stroked(
     table: Table, layout: Layout, cue: str, line: PotLine, height: float, side: float, paces: Sequence[float]
 ) -> Iterator[Shot]:
     """The shots that pot a ball in that line at several paces, refined; none where the cue cannot get at it."""
-    target, touch = layout[line.ball], table.touch(layout[cue], layout[line.ball])
-    x = target.x - touch * math.cos(line.direction) - layout[cue].x
-    y = target.y - touch * math.sin(line.direction) - layout[cue].y
-    shot = cleared(table, layout, Shot(math.degrees(math.atan2(y, x)), 1.0, side, height, ball=cue))
-    if shot is None:
-        return
     speed = needed(table, line, height, side)
-    for pace in paces:
-        meant = replace(shot, speed=min(FASTEST, pace * speed))
-        refined = aimed_at(table, layout, meant, line.ball, line.direction, line.lead)
+    shot = Shot(math.degrees(_toward(table, layout, cue, line)), 1.0, side, height, ball=cue)
+    yield from _at_speeds(table, layout, shot, line, [min(FASTEST, pace * speed) for pace in paces])
+
+
+def _toward(table: Table, layout: Layout, cue: str, line: PotLine) -> float:
+    """The direction in which the cue ball meets its ball where it has to, radians."""
+    target, touch = layout[line.ball], table.touch(layout[cue], layout[line.ball])
+    x, y = target.x - touch * math.cos(line.direction), target.y - touch * math.sin(line.direction)
+    return math.atan2(y - layout[cue].y, x - layout[cue].x)
+
+
+def _at_speeds(table: Table, layout: Layout, shot: Shot, line: PotLine, speeds: Iterable[float]) -> Iterator[Shot]:
+    """A shot at several speeds, each refined, from where the one before came to."""
+    clear = cleared(table, layout, shot)
+    for speed in speeds if clear is not None else ():
+        refined = aimed_at(table, layout, replace(clear or shot, speed=speed), line.ball, line.direction, line.lead)
         if refined is not None:
-            shot = refined
+            clear = refined
             yield refined
 
 
 def _sound(height: float, side: float) -> tuple[float, float]:
     """That tip, or in the same direction as far out as it does not slip."""
-    share = min(1.0, _OUTERMOST / max(math.hypot(height, side), _OUTERMOST))
+    share = min(1.0, OUTERMOST / max(math.hypot(height, side), OUTERMOST))
     return share * height, share * side
 
 
@@ -90,4 +100,17 @@ def pots(
         call = called(ask, line.ball, line.pocket)
         for height, side in spins(int(see.heights), int(see.sides)):
             for shot in stroked(table, layout, cue, line, height, side, paces):
-                yield Candidate("pot", Stroke(shot, call), line.ball, line.pocket, prior=line.chance)
+                yield Candidate("pot", Stroke(shot, call), line.ball, line.pocket, prior=line.chance, line=line)
+
+
+def varied(table: Table, layout: Layout, candidate: Candidate) -> Iterator[Candidate]:
+    """The same pot a little softer and harder, lower and higher, and with a little more english to either side."""
+    shot, line = candidate.stroke.shot, candidate.line
+    if line is None:
+        return
+    for height, side in ((0.0, 0.0), (_NUDGE, 0.0), (-_NUDGE, 0.0), (0.0, _NUDGE), (0.0, -_NUDGE)):
+        tip = replace(shot, height=shot.height + height, side=shot.side + side)
+        if math.hypot(tip.height, tip.side) <= OUTERMOST:
+            paces = _PACES_BESIDE if height == side == 0.0 else (1.0,)
+            for near in _at_speeds(table, layout, tip, line, [pace * shot.speed for pace in paces]):
+                yield replace(candidate, stroke=replace(candidate.stroke, shot=near))

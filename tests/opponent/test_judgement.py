@@ -1,0 +1,70 @@
+"""Candidates are weighed by what comes of them: the same errors for all, the best first, none twice."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from pool2d import Ball, Layout, load_table, simulate
+from pool2d.game import game
+from pool2d.game.rules import Ruling, State
+from pool2d.game.rules.base import Rules
+from pool2d.opponent.candidates.find import candidates
+from pool2d.opponent.candidates.pots import OUTERMOST, varied
+from pool2d.opponent.judgement import best, glance, weigh
+from pool2d.opponent.player import Judgement, Player
+from pool2d.opponent.stray import Hand
+from pool2d.opponent.turn import Turn
+
+TABLE = load_table("pool-9ft")
+SEES = Judgement(ways=2, paces=2, heights=2, sides=1, few=2, runs=10, safeties=4, kicks=0)
+BALLS = Layout([Ball("cue", 1.0, 0.5), Ball("1", 1.6, 0.8), Ball("2", 0.6, 0.9), Ball("9", 2.0, 0.3)])
+
+
+def turn(hand: Hand, sees: Judgement = SEES) -> Turn:
+    rules: Rules[State] = game("nine-ball", TABLE)
+    start = rules.start(0, 1).state
+    state = replace(start, shots=3, ask=replace(start.ask, where="", on=("1",)))
+    return Turn(rules, Ruling(state, BALLS), Player("a", hand=hand, judgement=sees))
+
+
+def test_a_pot_that_is_varied_is_still_that_pot() -> None:
+    here = turn(Hand(0.3))
+    first = next(one for one in candidates(here) if one.kind == "pot" and one.stroke.shot.speed > 1.0)
+    near = list(varied(TABLE, BALLS, first))
+    assert len({one.stroke for one in near} - {first.stroke}) == len(near) >= 6
+    for one in near:
+        assert math.hypot(one.stroke.shot.side, one.stroke.shot.height) <= OUTERMOST
+        fell = simulate(TABLE, BALLS, one.stroke.shot).layout()[one.ball].phase == "pocketed"
+        assert fell or one.stroke.shot.speed < first.stroke.shot.speed
+
+
+def test_the_best_come_first_and_hardly_any_twice() -> None:
+    here = turn(Hand(0.5))
+    found = best(here, candidates(here), "a")
+    values = [one.value for one in found]
+    assert values == sorted(values, reverse=True)
+    assert {one.runs for one in found} == {10}
+    strokes = [one.candidate.stroke for one in found]
+    assert len(set(strokes)) == len(strokes)
+
+
+def test_the_same_seed_weighs_the_same_and_draws_the_same_errors_for_all() -> None:
+    here = turn(Hand(2.0))
+    first = next(one for one in candidates(here) if one.kind == "pot")
+    seen = glance(here, first)
+    assert seen is not None
+    once, again, other = (weigh(here, seen, 10, seed) for seed in "aab")
+    assert once == again != other
+    assert once.chance == pytest.approx(weigh(here, replace(seen, value=0.0), 10, "a").chance)
+
+
+def test_who_never_strays_looks_once_and_who_strays_more_comes_off_less() -> None:
+    steady, wild = turn(Hand(0.0, 0.0, 0.0, 0.0)), turn(Hand(8.0, 8.0))
+    assert {one.runs for one in best(steady, candidates(steady), "a")} == {1}
+    first = next(one for one in candidates(steady) if one.kind == "pot" and one.stroke.shot.speed > 1.0)
+    seen = glance(steady, first)
+    assert seen is not None and seen.chance > 0.9
+    assert weigh(wild, seen, 20, "a").chance < 0.7
