@@ -10,7 +10,10 @@ from .stray import Hand
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """How much a player sees, and how long it weighs what it sees; all are counts, so that a seed decides all."""
+    """How much a player sees, and how long it weighs what it sees; all are counts, so that a seed decides all.
+
+    It has more attributes than most classes, one for each thing that a player may be better or worse at.
+    """
 
     ways: float = knob(4.0, 1.0, 20.0, "", "how many of the pots that lie open it looks at")
     paces: float = knob(3.0, 1.0, 4.0, "", "how many speeds it knows for each")
