@@ -160,7 +160,8 @@ def _held(thought: Thought, scored: bool, voice: Voice) -> str:
 
 
 def _points(value: float, voice: Voice) -> str:
-    return voice.say("behind" if value < 0.0 else "ahead", points=voice.number(abs(value), ".1f"))
+    """Points to a tenth: so few that there are none are not behind."""
+    return voice.say("behind" if value <= -0.05 else "ahead", points=voice.number(abs(value), ".1f"))
 
 
 def _feared(fear: Fear, voice: Voice) -> str:

@@ -37,7 +37,7 @@ def test_reasons_are_told_in_plain_words() -> None:
 
 
 @pytest.mark.parametrize(
-    ("value", "worth"), [(4.25, "4.2 points ahead"), (-12.0, "12.0 points behind"), (0.0, "0.0 points ahead")]
+    ("value", "worth"), [(4.25, "4.2 points ahead"), (-12.0, "12.0 points behind"), (-0.04, "0.0 points ahead")]
 )
 def test_in_a_game_that_is_scored_the_worth_is_points(value: float, worth: str) -> None:
     why = Reasons(replace(WHY.meant, value=value))

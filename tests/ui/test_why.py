@@ -68,6 +68,16 @@ def test_the_key_holds_the_shot_at_its_beginning_and_says_why(viewer: Viewer) ->
     assert (state.why, state.playback.paused) == (False, False)
 
 
+def test_a_shot_that_was_held_later_stays_held(viewer: Viewer) -> None:
+    state = viewer.replay.state
+    viewer.key(pygame.K_h)
+    viewer.key(pygame.K_SPACE)
+    viewer.wait(1.0)
+    viewer.key(pygame.K_SPACE)
+    viewer.key(pygame.K_h)
+    assert state.playback.paused and state.playback.time > 0.5
+
+
 def test_the_panel_and_the_lines_are_seen_and_gone_again(viewer: Viewer) -> None:
     viewer.key(pygame.K_SPACE)
     viewer.key(pygame.K_HOME)

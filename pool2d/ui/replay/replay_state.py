@@ -85,11 +85,12 @@ class ReplayState:
         return isinstance(action, Stroke) and action.why is not None
 
     def turn_why(self) -> None:
-        """Tell why strokes were played, or no more; to be read, the stroke is held at its beginning."""
+        """Tell why strokes were played, or no more; to be read, the stroke is held at its beginning, until then."""
         self.why = not self.why
         if self.why:
             self.playback.seek(0.0)
-        self.playback.paused = self.why
+        if self.playback.time <= 0.0:
+            self.playback.paused = self.why
 
     def play_all(self) -> None:
         """Work out every stroke at once."""
