@@ -15,11 +15,11 @@ from typing import Any
 
 ROOT = Path(__file__).parents[1]
 PAGE = Path(__file__).with_name("api.md")
-PACKAGES = ("pool2d", "pool2d.game")
+PACKAGES = ("pool2d", "pool2d.game", "pool2d.opponent")
 TITLE = "# The public names"
-INTRODUCTION = """What `pool2d` and `pool2d.game` export, made of the docstrings by `python -m docs.api`, which needs
-the extra "docs": `pip install -e '.[docs]'`. The examples run as tests. Lengths are in m, times in s, velocities in
-m/s, spins in rad/s, masses in kg; the angles of a shot are in degrees."""
+INTRODUCTION = """What `pool2d`, `pool2d.game` and `pool2d.opponent` export, made of the docstrings by
+`python -m docs.api`, which needs the extra "docs": `pip install -e '.[docs]'`. The examples run as tests. Lengths are
+in m, times in s, velocities in m/s, spins in rad/s, masses in kg; the angles of a shot are in degrees."""
 ATTRIBUTE = re.compile(r"^- \[\*\*(\w+)\*\*\]\(#.*?\)(?: \(<code>.*</code>\))? \N{EN DASH} ", re.MULTILINE)
 # What of a definition the page tells: signatures and docstrings, in the order of the source.
 CONFIG: Any = {

@@ -20,6 +20,7 @@ PROMISED = {
     "load_scenario load_table simulate simulate_many",
     "pool2d.game": "Ask Call Choice Concede Contact GAMES Match NextFrame Report Rules Ruling Setup State Stroke "
     "game games_for observe",
+    "pool2d.opponent": "Chance Hand Judgement Player Taste chances",
 }
 WITH_EXAMPLES = (
     "load_table",
@@ -32,6 +33,8 @@ WITH_EXAMPLES = (
     "game",
     "Match",
     "observe",
+    "Chance",
+    "chances",
 )
 NAMES = [(package, name) for package in api.PACKAGES for name in api.homes(package)]
 

@@ -1,1 +1,26 @@
-"""Somebody to play against: a hand that misses, shots found by geometry and refined on the engine, and judgement."""
+"""Somebody to play against: a hand that misses, shots found by geometry and refined on the engine, and judgement.
+
+The names are fetched when they are first asked for.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..lazy import fetched
+
+if TYPE_CHECKING:
+    from .contests.odds import Chance, chances
+    from .player import Judgement, Player, Taste
+    from .stray import Hand
+else:
+    __getattr__, __dir__ = fetched(
+        __name__,
+        {
+            "contests.odds": ("Chance", "chances"),
+            "player": ("Judgement", "Player", "Taste"),
+            "stray": ("Hand",),
+        },
+    )
+
+__all__ = ["Chance", "Hand", "Judgement", "Player", "Taste", "chances"]
