@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 from .._version import __version__
 from ..config import catalogue
@@ -20,7 +21,7 @@ def measure(name: str, seed: int, jobs: int, save: bool, as_json: bool) -> int:
     """Measure a player and say what was found; the exit status."""
     player = load_player(name)
     try:
-        found = _measured(player, seed, jobs, f"pool2d players --measure {name} --seed {seed} ({__version__})")
+        found = _measured(player, seed, jobs, f"pool2d players --measure {_word(name)} --seed {seed} ({__version__})")
     except KeyboardInterrupt:
         terminal.complain("pool2d: interrupted; nothing was saved")
         return terminal.INTERRUPTED
@@ -39,6 +40,11 @@ def _measured(player: Player, seed: int, jobs: int, how: str) -> Rates:
             return rates.measured(player, seed, team, how)
     finally:
         progress.end()
+
+
+def _word(name: str) -> str:
+    """A player's name as a file keeps it, whatever path it was given by."""
+    return Path(name).stem[:40] if name.isprintable() else "FILE"
 
 
 def _tell(player: Player, found: Rates, as_json: bool) -> None:

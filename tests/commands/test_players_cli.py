@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -100,6 +101,17 @@ def test_how_it_was_measured_is_said(tmp_path: Path, capsys: Capture, monkeypatc
     ((name, seed, how),) = asked
     assert (name, seed) == ("Ida", 7)
     assert how.startswith("pool2d players --measure ida --seed 7 (")
+
+
+def test_a_long_path_is_saved_so_that_the_file_can_be_read(
+    tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / ("long" * 30) / ("longer" * 30)
+    folder.mkdir(parents=True)
+    path = written(folder, "ann", 1.0)
+    measuring(monkeypatch, lambda player, seed, how: replace(FOUND, how=how))
+    said(capsys, "--measure", path, "--save")
+    assert load_player(path).measured.how.startswith("pool2d players --measure ann --seed 0 (")
 
 
 def test_an_interrupted_measuring_saves_nothing(
