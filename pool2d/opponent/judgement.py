@@ -69,7 +69,8 @@ def played(turn: Turn, candidate: Candidate, stroke: Stroke) -> Judged | None:
 
 def came_off(turn: Turn, candidate: Candidate, found: Judged) -> bool:
     """Whether a stroke did what it was to do: it was no foul, and what was to go on goes on."""
-    return not found.ruling.foul and (candidate.kind in _QUIET or (_goes_on(turn, found) and _fell(candidate, found)))
+    quiet = candidate.kind in _QUIET and not candidate.pocket
+    return not found.ruling.foul and (quiet or (_goes_on(turn, found) and _fell(candidate, found)))
 
 
 def _goes_on(turn: Turn, found: Judged) -> bool:

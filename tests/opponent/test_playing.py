@@ -12,7 +12,9 @@ from pool2d.opponent.player import Judgement, Player
 from pool2d.opponent.playing import played_out
 from pool2d.opponent.stray import Hand
 
-QUICK = Judgement(ways=1, paces=1, heights=1, sides=1, few=1, runs=1, safeties=2, kicks=24)
+QUICK = Judgement(
+    ways=1, paces=1, heights=1, sides=1, few=1, runs=1, safeties=2, kicks=24, banks=1, combinations=1, cannons=20
+)
 PLAYERS = (Player("quick", hand=Hand(2.0), judgement=QUICK), Player("slow", hand=Hand(0.5), judgement=QUICK))
 TABLES = ("pool-9ft", "snooker-12ft", "carom-10ft", "english-7ft", "pyramid-12ft", "l-shape")
 GAMES_ON = [(table, game) for table in TABLES for game in games_for(load_table(table)) if game != "practice"]

@@ -23,7 +23,9 @@ from pool2d.opponent.reasoning import reasons
 from pool2d.opponent.stray import Hand
 
 TABLE = load_table("pool-9ft")
-QUICK = Judgement(ways=2, paces=2, heights=1, sides=1, few=3, runs=10, safeties=4, kicks=24)
+QUICK = Judgement(
+    ways=2, paces=2, heights=1, sides=1, few=3, runs=10, safeties=4, kicks=24, banks=1, combinations=1, cannons=20
+)
 # So fond of pots that it plays no safety.
 WILD = Player("wild", hand=Hand(6.0, 6.0, 6.0), judgement=QUICK, taste=Taste(attack=1.0))
 STEADY = Player("steady", hand=Hand(0.0, 0.0, 0.0, 0.0), judgement=QUICK)

@@ -19,7 +19,7 @@ from ..pot_chance import spread
 from ..stray import awkward
 from ..turn import Turn
 from .calling import called
-from .strokes import cleared, first_met
+from .strokes import cleared, first_met, spot
 
 # What share of the looks goes at balls; the others go anywhere, by the cushions first.
 _AT_BALLS: Final = 0.75
@@ -34,9 +34,6 @@ _TOLD: Final = 10
 _BESIDE: Final = 3
 _APART: Final = 0.6
 _FINEST: Final = 5e-4
-# Steps of a sequence that fills a space of four dimensions evenly, however long it is: powers of 1 / 1.1673039782614,
-# which solves x^5 = x + 1 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
-_STEPS: Final = tuple(1.1673039782614187**-power for power in range(1, 5))
 
 
 def cannons(turn: Turn, layout: Layout, cue: str, looks: int) -> Iterator[Candidate]:
@@ -67,7 +64,7 @@ def _around(turn: Turn, layout: Layout, cue: str, looks: int) -> Iterator[Shot]:
     """Strokes spread evenly over directions, speeds and tips that the player knows."""
     see = turn.player.judgement
     for look in range(1, looks + 1):
-        way, pace, right, up = (look * step % 1.0 for step in _STEPS)
+        way, pace, right, up = spot(look)
         side = _SIDE * (2.0 * right - 1.0) if see.sides > 1 else 0.0
         height = _LOW + (_HIGH - _LOW) * up if see.heights > 1 else 0.0
         speed = _SLOW + (_FAST - _SLOW) * pace

@@ -11,6 +11,7 @@ from typing import Final
 from ...game.actions import Stroke
 from ...physics.values import Layout, Shot
 from ..candidate import Candidate
+from ..player import Judgement
 from ..turn import Turn
 from .banks import banks, potting_kicks
 from .breaks import breaks
@@ -36,7 +37,7 @@ def candidates(turn: Turn) -> Iterator[Candidate]:
 
 def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
     """The strokes at a cue ball where it lies."""
-    see, on = turn.player.judgement, turn.on(cue)
+    see = _sight(turn)
     if not turn.table.geometry.pockets:
         yield from cannons(turn, layout, cue, int(see.cannons))
     if turn.opens:
@@ -45,14 +46,21 @@ def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
     straight = list(_pots(turn, layout, cue))
     yield from straight
     yield from _by_another(turn, layout, cue, easy=any(one.prior > _EASY for one in straight))
-    yield from safeties(turn.table, layout, turn.ask, cue, on, int(see.safeties))
+    yield from safeties(turn, layout, cue, int(see.safeties))
     if not straight:
-        yield from kicks(turn.table, layout, turn.ask, cue, on, int(see.kicks))
+        yield from kicks(turn, layout, cue, int(see.kicks))
+
+
+def _sight(turn: Turn) -> Judgement:
+    """How much a player looks at from one ball: what is beside straight pots is shared out among all it may strike."""
+    see, balls = turn.player.judgement, len(turn.cues)
+    shares = {name: getattr(see, name) // balls for name in ("kicks", "banks", "combinations")}
+    return replace(see, safeties=-(-see.safeties // balls), **shares)
 
 
 def _by_another(turn: Turn, layout: Layout, cue: str, easy: bool) -> Iterator[Candidate]:
     """The pots that take another ball; and those that take a cushion, where none is easy without."""
-    see, on, wanted = turn.player.judgement, turn.on(cue), turn.wanted(layout)
+    see, on, wanted = _sight(turn), turn.on(cue), turn.wanted(layout)
     yield from routed(turn, layout, cue, combinations_of(turn, layout, cue, on, wanted), int(see.combinations))
     if not easy:
         falls = [ball for ball in on if ball in wanted]

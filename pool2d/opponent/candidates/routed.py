@@ -8,7 +8,7 @@ from itertools import islice
 from typing import Final
 
 from ...game.actions import Stroke
-from ...physics.values import Layout, Shot
+from ...physics.values import GONE, Layout, Shot
 from ...table.table import Table
 from ..candidate import Candidate
 from ..images import Place
@@ -50,6 +50,13 @@ def free(table: Table, layout: Layout, a: Place, b: Place, *ignored: str) -> boo
     return not any(
         _gap(a, b, (ball.x, ball.y)) < touch for ball in layout.on_table() if ball.id not in ignored
     )  # fmt: skip
+
+
+def in_sight(turn: Turn, layout: Layout, cue: str, ball: str) -> bool:
+    """Whether a ball on the table can be hit full, straight from the cue ball."""
+    start, target = layout[cue], layout[ball]
+    here, there = (start.x, start.y), (target.x, target.y)
+    return ball != cue and target.phase not in GONE and free(turn.table, layout, here, there, cue, ball)
 
 
 def _gap(a: Place, b: Place, place: Place) -> float:

@@ -27,7 +27,7 @@ def contest(path: Path, number: int = 0) -> Contest:
 
 
 def test_a_match_is_recorded_and_replays(tmp_path: Path) -> None:
-    outcome = held(contest(tmp_path / "a.jsonl"))
+    outcome = held(contest(tmp_path / "a.jsonl", 1))
     kept = load(tmp_path / "a.jsonl")
     match, changes = restored(kept)
     assert (kept.over, changes, match.winner) == (True, (), outcome.winner)
