@@ -25,7 +25,7 @@ from pathlib import Path
 from typing import NamedTuple, TypedDict
 
 from .mutations import Change, sites
-from .reach import Show, Watch, begin, end, file_of
+from .reach import WAITING, Show, Watch, begin, end, file_of
 
 ROOT = Path(__file__).resolve().parent.parent
 # Each file belongs to the layer with the longest folder that holds it.
@@ -152,12 +152,11 @@ class _Worker:
     @classmethod
     def _show(cls, tests: list[str]) -> str | None:
         """Run these tests; what noticed the change, None where they pass."""
-        # A busy machine may take much longer than it did when the test was watched.
-        limits = {test: 20.0 + 10.0 * cls.known.seconds[test] for test in tests}
+        limits = {test: 10.0 + 3.0 * cls.known.seconds[test] for test in tests}
         out, log = (cls.tree.with_name(f"{cls.tree.name}.{kind}") for kind in ("txt", "log"))
         out.unlink(missing_ok=True)
         files = list(dict.fromkeys(map(file_of, tests)))
-        status = end(begin(cls.tree, files, Show(limits, out), log), 60.0 + sum(limits.values()))
+        status = end(begin(cls.tree, files, Show(limits, out), log), WAITING * (60.0 + sum(limits.values())))
         if status == 0:
             return None
         return out.read_text() if out.exists() else f"pytest ended with {status}: {log.read_text()[-200:]}"

@@ -33,6 +33,8 @@ from .lines import Lines
 LOADED = (hypothesis, numpy, pymunk, pygame)
 # A changed program may ask for all memory there is; it gets so much, bytes.
 MEMORY = 6 << 30
+# A test may wait so many times as long as it may compute: for others on a busy machine, but not for ever.
+WAITING = 10.0
 _OURS = ("pool2d", "tests", "benchmarks", "main", "docs")
 
 
@@ -82,17 +84,28 @@ class Watch:
 
 
 class Show:
-    """Runs the tests that are named, each with the seconds that it may take, in that order, until one fails."""
+    """Runs the tests that are named, each with the seconds that it may compute, in that order, until one fails."""
 
     def __init__(self, limits: dict[str, float], out: Path) -> None:
         self._limits = limits
         self._out = out
 
+    def pytest_configure(self) -> None:
+        signal.signal(signal.SIGPROF, _give_up)
+
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         order = {test: place for place, test in enumerate(self._limits)}
         items[:] = sorted((item for item in items if item.nodeid in order), key=lambda item: order[item.nodeid])
         for item in items:
-            item.add_marker(pytest.mark.timeout(self._limits[item.nodeid]), append=False)
+            item.add_marker(pytest.mark.timeout(WAITING * self._limits[item.nodeid]), append=False)
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[Any]:
+        # Again every second, lest what it ran into goes on from there.
+        signal.setitimer(signal.ITIMER_PROF, self._limits[item.nodeid], 1.0)
+        done = yield
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        return done
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
         self._tell(report)
@@ -104,6 +117,11 @@ class Show:
         if report.failed:
             why = str(getattr(report.longrepr, "reprcrash", None) or report.longrepr)
             self._out.write_text(f"{report.nodeid}: {why.strip().splitlines()[-1]}")
+
+
+def _give_up(number: int, frame: object) -> None:
+    # No test catches this by what it says it raises.
+    pytest.fail("still computing")
 
 
 def file_of(test: str) -> str:

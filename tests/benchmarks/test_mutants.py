@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import sys
 import textwrap
+from pathlib import Path
 
 import pytest
 
 from benchmarks.mutants import LAYERS, ROOT, Map, goes, layer_of, mutants
 from benchmarks.mutations import sites
+from benchmarks.reach import Show, begin, end
 
 
 def changed(source: str) -> set[str]:
@@ -106,3 +109,15 @@ def test_the_seed_draws_as_many_in_each_layer() -> None:
         assert len(those) == 10
         assert all(layer_of(mutant.path) == layer and mutant.path.startswith(folder) for mutant in those)
         assert all((ROOT / mutant.path).is_file() for mutant in those)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="it forks")
+@pytest.mark.parametrize(("body", "noticed"), [("time.sleep(1.0)", False), ("while True: pass", True)])
+def test_a_test_may_wait_longer_than_it_may_compute(tmp_path: Path, body: str, noticed: bool) -> None:
+    tree, out = tmp_path / "tree", tmp_path / "out.txt"
+    tree.mkdir()
+    (tree / "test_one.py").write_text(f"import time\n\ndef test_one():\n    {body}\n")
+    limits = {"test_one.py::test_one": 0.5}
+    status = end(begin(tree, ["test_one.py"], Show(limits, out), tmp_path / "log.txt"), 100.0)
+    assert status == noticed
+    assert not noticed or "still computing" in out.read_text()

@@ -121,6 +121,18 @@ def test_a_later_engine_shows_and_goes_on_with_what_was_recorded(
         assert once_more.match.undo() and stands_as(once_more.match, before)
 
 
+def test_who_plays_is_written_where_it_is_another(path: Path, other: Callable[..., None]) -> None:
+    played(path, actions=4)
+    first = engine.identity().engine
+    for turn, name in enumerate(("later", "later", "last", "last", "later", "later")):
+        other(engine=name)
+        with resume(path) as again:
+            again.play(random_action(again.match, random.Random(turn)))
+            again.play(random_action(again.match, random.Random(turn)))
+    told = [body[PLAYED_BY][0] for body in bodies(path) if PLAYED_BY in body]
+    assert told == [first, "later", "last", "later"]
+
+
 def stands_as(a: Match, b: Match) -> bool:
     return digest(a) == digest(b)
 

@@ -28,6 +28,30 @@ def roll_of(vx: float = 0.0, vy: float = 0.0, wx: float = 0.0, wy: float = 0.0, 
     return simulate(TABLE, Layout([Ball("cue", 1.27, 0.635, vx, vy, wx, wy, wz)]))
 
 
+def test_a_turn_of_any_length_is_told_by_one_of_length_one() -> None:
+    rng = random.Random("units")
+    for _ in range(50):
+        axis = [rng.gauss(0.0, 1.0) for _ in range(3)]
+        angle, size = rng.uniform(0.1, 3.0), rng.uniform(0.1, 20.0)
+        long = math.hypot(*axis)
+        x, y, z = (part / long for part in axis)
+        half = math.sin(0.5 * angle)
+        known = (math.cos(0.5 * angle), half * x, half * y, half * z)
+        w, a, b, c = known
+        scaled = (size * w, size * a, size * b, size * c)
+        assert unit(scaled) == pytest.approx(known, abs=1e-14)
+        assert turn(angle * x, angle * y, angle * z) == pytest.approx(known, abs=1e-14)
+        # Rodrigues: v cos + (k x v) sin + k (k v) (1 - cos), for each axis.
+        cos, sin = math.cos(angle), math.sin(angle)
+        cross = ((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0))
+        for i, row in enumerate(matrix(scaled)):
+            for j, value in enumerate(row):
+                k = (x, y, z)
+                assert value == pytest.approx(
+                    (cos if i == j else 0.0) + sin * cross[i][j] + (1.0 - cos) * k[i] * k[j], abs=1e-14
+                )
+
+
 @pytest.mark.parametrize("way", [0.0, 37.0, 90.0, 200.0, 311.0])
 def test_a_rolling_ball_turns_by_its_way_over_its_radius(way: float) -> None:
     vx, vy = 0.3 * math.cos(math.radians(way)), 0.3 * math.sin(math.radians(way))
