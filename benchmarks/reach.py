@@ -34,7 +34,7 @@ LOADED = (hypothesis, numpy, pymunk, pygame)
 # A changed program may ask for all memory there is; it gets so much, bytes.
 MEMORY = 6 << 30
 # A test may wait so many times as long as it may compute: for others on a busy machine, but not for ever.
-WAITING = 10.0
+WAITING = 30.0
 _OURS = ("pool2d", "tests", "benchmarks", "main", "docs")
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from pool2d import cli, load_table
 from pool2d.config.folders import data_folder
+from pool2d.draw import theme
 from pool2d.game.records.record import matches_folder
 from pool2d.ui import start
 from pool2d.ui.app import App
@@ -132,3 +133,23 @@ def test_a_table_is_chosen_for_practice(guest: Hand) -> None:
     guest.key(pygame.K_RETURN)
     assert shown(guest) is Play
     assert guest.play.state.session.is_practice and guest.play.state.session.table.source == "snooker-12ft"
+
+
+def test_an_entry_looks_pressed_while_a_release_would_choose_it(guest: Hand) -> None:
+    menu = guest.app.scene
+    assert isinstance(menu, Menu)
+    item, other = menu.items[1], menu.items[3]
+
+    def color() -> tuple[int, ...]:
+        shade = guest.app.window.surface.get_at((item.rect.right - item.rect.height // 2, item.rect.centery))
+        return tuple(shade)[:3]
+
+    guest.move(item.rect.center)
+    lit = color()
+    guest.press()
+    pressed = color()
+    guest.move(other.rect.center)
+    assert color() != pressed
+    guest.move(item.rect.center)
+    assert color() == pressed
+    assert lit == theme.FACE_LIT and pressed == theme.FACE_DOWN
