@@ -41,6 +41,8 @@ SLOW = 2.0
 # Shots of fewer events are played again with their balls in another order.
 _SHORT = 200
 Floats = NDArray[np.float64]
+# Where a ball is at each of some times, x, y and z, and whether it is on the table then.
+Path = tuple[Floats, Floats, Floats, NDArray[np.bool_]]
 
 
 class Result(NamedTuple):
@@ -154,19 +156,38 @@ def faults(table: Table, roll: Rollout) -> Iterator[str]:
     times = np.unique(np.array(moments + [0.5 * (a + b) for a, b in pairwise(moments)]))
     names = list(roll.tracks)
     paths = [positions(roll.tracks[name], times) for name in names]
-    for i, name in enumerate(names):
-        x, y, z, present = paths[i]
-        radius = table.body_of(roll.start[name])[0]
+    radii = [table.body_of(roll.start[name])[0] for name in names]
+    for name, (x, y, z, present) in zip(names, paths, strict=True):
         if not np.isfinite((x, y, z)).all():
             yield f"{name} is nowhere"
-        yield from misplaced(table, roll.start[name], x[present], y[present], z[present])
-        for j in range(i):
-            other = table.body_of(roll.start[names[j]])[0]
-            apart = np.array([x - paths[j][0], y - paths[j][1], z - paths[j][2] + radius - other])
-            away = np.linalg.norm(apart, axis=0)[present & paths[j][3]]
-            overlap = radius + other - away.min(initial=math.inf)
-            if not overlap <= NANOMETRE:
-                yield f"{name} and {names[j]} overlap by {overlap:.3g} m"
+        # A ball that never moves is looked at once.
+        kept = present & (times <= times[0]) if _lies(roll.tracks[name]) else present
+        yield from misplaced(table, roll.start[name], x[kept], y[kept], z[kept])
+    for i, j in near(paths, radii):
+        overlap = radii[i] + radii[j] - apart(paths[i], paths[j], radii[i] - radii[j])
+        if not overlap <= NANOMETRE:
+            yield f"{names[i]} and {names[j]} overlap by {overlap:.3g} m"
+
+
+def _lies(track: list[Motion]) -> bool:
+    return len(track) == 1 and track[0].phase == RESTING
+
+
+def near(paths: list[Path], radii: list[float]) -> Iterator[tuple[int, int]]:
+    """The pairs of balls the boxes of whose ways come within a touch of each other."""
+    places = np.array([path[:3] for path in paths])
+    low, high, size = places.min(axis=2), places.max(axis=2), np.array(radii)
+    gap = np.maximum(low[:, None] - high[None], low[None] - high[:, None]).max(axis=2)
+    # Heights are those of the lowest points: the centres' differ by what the radii do besides.
+    close = gap <= size[:, None] + size[None] + np.abs(size[:, None] - size[None]) + NANOMETRE
+    yield from zip(*(indices.tolist() for indices in np.nonzero(np.tril(close, -1))), strict=True)
+
+
+def apart(one: Path, other: Path, higher: float) -> float:
+    """The least distance of two balls' centres while both are on the table, m; the one's is so much `higher`."""
+    x, y, z = one[0] - other[0], one[1] - other[1], one[2] - other[2] + higher
+    square = (x * x + y * y + z * z)[one[3] & other[3]]
+    return math.sqrt(square.min(initial=math.inf))
 
 
 def energy(table: Table, sizes: Layout, states: dict[str, Ball]) -> float:
@@ -181,7 +202,7 @@ def energy(table: Table, sizes: Layout, states: dict[str, Ball]) -> float:
     return total
 
 
-def positions(track: list[Motion], times: Floats) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
+def positions(track: list[Motion], times: Floats) -> Path:
     """Where a ball is at each time, and whether it is on the table."""
     rows = np.array([(m.t0, m.x, m.y, m.z, m.vx, m.vy, m.vz, m.hx, m.hy, m.hz, m.phase not in GONE) for m in track])
     t0, x, y, z, vx, vy, vz, hx, hy, hz, present = rows[np.searchsorted(rows[:, 0], times, side="right") - 1].T
