@@ -2,8 +2,9 @@
 
 Prints the time from starting Python to the splash and to the end of the first frame, without a kept picture of the
 table and with one; then frames at rest, while aiming (the guide is simulated anew each frame) anywhere and, with the
-whole shot as the guide, at a full rack, of a break with all that can be shown, and while the camera comes nearer for
-the first time. What presenting a frame took is told apart, with the part of the window that was presented: it is the
+whole shot as the guide, at a full rack, while a player who is no person looks about, with nobody thinking and with a
+process that thinks all the while, of a break with all that can be shown, and while the camera comes nearer for the
+first time. What presenting a frame took is told apart, with the part of the window that was presented: it is the
 screen's driver that does it. Without a screen that is nothing; SDL_VIDEODRIVER=x11 measures it on one. Beside the
 clock's time stands the processor's, of all threads together, which tells the truth on a machine that has other things
 to do. As machines, and one machine from minute to minute, differ in speed, each line ends with the median over the time
@@ -52,6 +53,7 @@ def main(size: tuple[int, int]) -> None:
 def _frames(size: tuple[int, int]) -> None:
     from pool2d import load_table
     from pool2d.draw import guide
+    from pool2d.game.session import practice
     from pool2d.ui.app import App
 
     app = App(load_table("pool-9ft"), seed=3, size=size)
@@ -90,6 +92,10 @@ def _frames(size: tuple[int, int]) -> None:
     level, show.level = show.level, guide.WHOLE
     frames("aiming at a rack, whole guide", sway)
     show.level = level
+    for name, thinker in (("a player looks about", _Idle()), ("the same, while one thinks", _Busy(app.play.state))):
+        _sit_down(app.play.state, thinker)
+        frames(name)
+    app.play.state.begin(practice(load_table("pool-9ft"), 3))
     hands.aim = hands.aim.with_speed(8.0).toward(1.0, 0.003)
     app.play.state.strike(8.0)
     frames("balls rolling")
@@ -98,6 +104,60 @@ def _frames(size: tuple[int, int]) -> None:
     # The larger picture that is seen from near, drawn beside the loop, is counted among what is held.
     while not app.play.stage.still:
         app.step(_FRAME)
+
+
+class _Idle:
+    """Never has an answer."""
+
+    def ask(self, *question: Any) -> None:
+        """Nobody thinks about it."""
+
+    def answer(self) -> None:
+        """There is none."""
+
+    def close(self) -> None:
+        """There is nothing to close."""
+
+
+class _Busy(_Idle):
+    """Thinks all the while: what has been thought of is thought of again."""
+
+    def __init__(self, state: Any) -> None:
+        from pool2d.opponent.thinker import Thinker
+
+        self._thinker = Thinker(state.session.table, _match(state).setup)
+        self._question: Any = None
+
+    def ask(self, *question: Any) -> None:
+        self._question = question
+        self._thinker.ask(*question)
+
+    def answer(self) -> None:
+        if self._thinker.answer() is not None:
+            self._thinker.ask(*self._question)
+
+    def close(self) -> None:
+        self._thinker.close()
+
+
+def _match(state: Any) -> Any:
+    """Eight-ball between players, of whom the strongest breaks."""
+    from pool2d.game import Match, Setup
+
+    return Match(state.session.table, Setup("eight-ball", players=("ada", "ada"), breaker=0, seed=3))
+
+
+def _sit_down(state: Any, thinker: _Idle) -> None:
+    """Have a player at the table who is told what to do by this thinker."""
+    from pool2d.game import Choice
+    from pool2d.game.session import Session
+    from pool2d.ui.play.modes.opponent_mode import OpponentMode
+
+    session = Session(_match(state))
+    session.do(Choice("place", 0.5, 0.5))
+    state.begin(session)
+    state.mode.leave()
+    state.take_up(OpponentMode(state, thinker))
 
 
 class _Presented:

@@ -144,9 +144,7 @@ class NewMatch(Dialog):
         player = self.draft.player(side)
         if player is None:
             return self.fields[side]
-        heading = Heading(lambda: player_text.about(self.words, player), lines=3)
-        heading.rows = self.fields[side].rows
-        return heading
+        return Heading(lambda: player_text.about(self.words, player), lines=4)
 
     def _who(self, name: str) -> str:
         player = self.draft.player_of(name)

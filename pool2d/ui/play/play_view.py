@@ -118,7 +118,7 @@ def _at_rest(frame: Frame, state: PlayState, controller: Controller) -> None:
     stage.balls(frame, state.shown_balls, but=held.id if held is not None else "")
     if held is not None:
         _area(surface, state, stage.view)
-        stage.in_hand(surface, held, state.in_hand.may_stand(session))
+        stage.in_hand(surface, held, not by_hand or state.in_hand.may_stand(session))
     elif aiming:
         # The shot of the guide, so that one is worked out; before the cue is drawn back far enough, the one of before.
         shot = state.aimed(hands.speed or hands.aim.speed)
