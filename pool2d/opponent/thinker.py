@@ -12,7 +12,7 @@ from typing import TypeAlias
 from ..game.match import Match, lagged
 from ..game.rules import Ruling
 from ..game.setup import Setup
-from ..study.fresh_process import FreshContext, attend
+from ..study.fresh_process import FreshContext, attended
 from ..table.table import Table
 from .decide import Decision, decide
 from .player import Player
@@ -86,21 +86,25 @@ class Thinker:
         context = FreshContext()
         self._line, line = context.Pipe()
         alive, self._alive = context.Pipe(duplex=False)
-        self._process = context.Process(target=think, args=(line, alive, *self._match), daemon=True)
+        self._process = context.Process(target=attended, args=(alive, __name__, think.__name__, line), daemon=True)
         self._process.start()
         # With no other end of ours, that it has died is noticed.
         line.close()
         alive.close()
+        with suppress(OSError):
+            self._line.send(self._match)
 
 
-def think(line: Connection, alive: Connection, table: Table, setup: Setup) -> None:
-    """What the process does: answer each question with a decision, or with why there is none."""
-    attend(alive)
+def think(line: Connection) -> None:
+    """What the process does: hear which match it is, and answer each question with a decision, or with why there is
+    none."""
     if hasattr(os, "nice"):
         os.nice(_YIELDS)
-    match = Match(table, setup)
-    while True:
-        line.send(_answered(match, line.recv()))
+    # Where whoever asks is gone, there is nobody to tell.
+    with suppress(EOFError, OSError):
+        match = Match(*line.recv())
+        while True:
+            line.send(_answered(match, line.recv()))
 
 
 def _answered(match: Match, question: Question, decides: Callable[..., Decision] = decide) -> Decision | str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import threading
+from importlib import import_module
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnContext, SpawnProcess
@@ -40,6 +41,12 @@ def attend(line: Connection) -> None:
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_leave_with, args=(line,), daemon=True).start()
+
+
+def attended(alive: Connection, module: str, name: str, *args: object) -> None:
+    """Attend to a line, and only then fetch and call a function: we may go while it is being imported."""
+    attend(alive)
+    getattr(import_module(module), name)(*args)
 
 
 def _leave_with(line: Connection) -> None:
