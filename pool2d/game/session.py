@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from itertools import pairwise
 
 from ..errors import InputError
 from ..physics.rollout import Rollout
@@ -108,6 +109,12 @@ class Session:
             if moment.action is None or isinstance(moment.action, Arrange | NextFrame | Stalemate):
                 break
         return None
+
+    @property
+    def before(self) -> Moment | None:
+        """The moment in which the last stroke was played; None where there was none."""
+        last, pairs = self.last, pairwise(self.match.history)
+        return next((before for before, moment in pairs if moment is last), None)
 
     @property
     def rollout(self) -> Rollout | None:

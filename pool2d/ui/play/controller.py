@@ -74,6 +74,7 @@ class Controller:
             "fast": lambda: self._fast_forward(True),
             "replay": self._replay,
             "pause": lambda: self._replay(hold=True),
+            "why": self._tell_why,
             "undo": state.undo,
             "redo": state.redo,
             "rack": state.rack,
@@ -254,6 +255,17 @@ class Controller:
             self.timeline.begin(state.hands.pointer)
             if hold:
                 state.playback.pause()
+
+    def _tell_why(self) -> None:
+        """Show the last shot from its beginning, and why it was played; or tell that no more."""
+        state, show = self.state, self.state.show
+        if show.why is not None and show.why is state.playback:
+            show.why = None
+            return
+        self._replay(hold=True)
+        if state.playback is not None:
+            state.playback.seek(0.0)
+            show.why = state.playback
 
     def _fast_forward(self, fast: bool) -> None:
         if self.state.playback is not None:

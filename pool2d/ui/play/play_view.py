@@ -18,7 +18,7 @@ from ...physics.strike import miscue_limit
 from ...physics.values import Shot
 from ...table.flights import flies
 from ..frame import Frame
-from ..stage import bars, scoreboard
+from ..stage import bars, scoreboard, why_panel
 from ..stage.legend import draw_legend
 from ..stage.playback import Playback
 from ..stage.shot_view import in_motion
@@ -48,6 +48,8 @@ def draw(frame: Frame, state: PlayState, controller: Controller) -> None:
         draw_geometry(ScreenPen(surface, stage.view), table)
     if show.vectors:
         _vectors(surface, state, stage)
+    if shown is not None and shown is show.why:
+        _why(frame, state, stage)
     if shown is not None and shown.running:
         key = _bars_key(state, controller, shown)
         stage.bars.show(frame, stage.screen, key, lambda: _bars(surface, state, controller))
@@ -166,6 +168,14 @@ def _vectors(surface: pygame.Surface, state: PlayState, stage: Stage) -> None:
         start = shown.rollout.start[shown.shot.ball]
         vectors.draw_cue(surface, start, shown.shot, session.table, stage.view)
     draw_legend(surface, state.words, stage.screen, shown is not None and flies(shown.rollout))
+
+
+def _why(frame: Frame, state: PlayState, stage: Stage) -> None:
+    """Why the shot that is seen again was played."""
+    session = state.session
+    if session.before is not None and session.last is not None and session.last.action is not None:
+        why_panel.draw(frame.surface, state.words, stage, session.match, session.before, session.last.action)
+        frame.cover()
 
 
 def _bars_key(state: PlayState, controller: Controller, shown: Playback) -> Hashable:

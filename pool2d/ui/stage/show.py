@@ -7,17 +7,22 @@ from dataclasses import dataclass, field
 
 from ...draw import guide, theme
 from ...draw.effects import Effects
+from .playback import Playback
 
 
 @dataclass
 class Show:
-    """What is shown beside the balls: the options' guide `level`, `effects` and `style`, and what keys turn on."""
+    """What is shown beside the balls: the options' guide `level`, `effects` and `style`, and what keys turn on.
+
+    `why` is the playback with which it is told why its stroke was played.
+    """
 
     level: int = guide.GHOST
     effects: Effects = field(default_factory=Effects)
     style: theme.Style = theme.PLAIN
     vectors: bool = False
     geometry: bool = False
+    why: Playback | None = None
 
     @property
     def keys(self) -> dict[str, Callable[[], None]]:
