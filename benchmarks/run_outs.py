@@ -14,7 +14,7 @@ from pool2d import load_table
 from pool2d.game import Match, Setup
 from pool2d.game.rules import Ruling
 from pool2d.game.rules.spotting import ANYWHERE
-from pool2d.opponent.decide import decide
+from pool2d.opponent.deciding import decide
 from pool2d.opponent.player import Player
 from pool2d.opponent.player_file import load_player
 from pool2d.opponent.playing import by_hand

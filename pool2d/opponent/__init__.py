@@ -11,6 +11,7 @@ from ..lazy import fetched
 
 if TYPE_CHECKING:
     from .contests.odds import Chance, chances
+    from .deciding import Decision, decide
     from .player import Judgement, Player, Taste
     from .stray import Hand
 else:
@@ -18,9 +19,10 @@ else:
         __name__,
         {
             "contests.odds": ("Chance", "chances"),
+            "deciding": ("Decision", "decide"),
             "player": ("Judgement", "Player", "Taste"),
             "stray": ("Hand",),
         },
     )
 
-__all__ = ["Chance", "Hand", "Judgement", "Player", "Taste", "chances"]
+__all__ = ["Chance", "Decision", "Hand", "Judgement", "Player", "Taste", "chances", "decide"]

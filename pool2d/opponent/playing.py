@@ -10,7 +10,7 @@ from typing import Any, Final, TypeAlias
 from ..game.actions import Action, NextFrame, Stroke
 from ..game.match import Match, Moment
 from ..game.rules import Rules, Ruling
-from .decide import Decision, decide
+from .deciding import Decision, decide
 from .player import Player
 from .stray import strayed
 

@@ -14,7 +14,7 @@ from ..game.rules import Ruling
 from ..game.setup import Setup
 from ..study.fresh_process import FreshContext, attended
 from ..table.table import Table
-from .decide import Decision, decide
+from .deciding import Decision, decide
 from .player import Player
 
 # How much later than others it has the processor: whoever asks comes first.

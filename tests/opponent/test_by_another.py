@@ -17,7 +17,7 @@ from pool2d.opponent.candidates.banks import banks, potting_kicks
 from pool2d.opponent.candidates.combinations import combinations_of
 from pool2d.opponent.candidates.find import candidates
 from pool2d.opponent.candidates.routed import routed
-from pool2d.opponent.decide import decide
+from pool2d.opponent.deciding import decide
 from pool2d.opponent.player import Judgement, Player
 from pool2d.opponent.stray import Hand
 from pool2d.opponent.turn import Turn

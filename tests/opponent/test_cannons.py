@@ -10,7 +10,7 @@ from pool2d.game.judging import judged
 from pool2d.game.rules import Ruling
 from pool2d.opponent.candidates.cannons import cannons
 from pool2d.opponent.candidates.find import candidates
-from pool2d.opponent.decide import decide
+from pool2d.opponent.deciding import decide
 from pool2d.opponent.player import Judgement, Player
 from pool2d.opponent.stray import Hand
 from pool2d.opponent.turn import Turn

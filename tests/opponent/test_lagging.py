@@ -8,7 +8,7 @@ from pool2d import load_table
 from pool2d.game.match import Match, lagged
 from pool2d.game.rules.lag import LagState
 from pool2d.game.setup import LAG, Setup
-from pool2d.opponent.decide import decide
+from pool2d.opponent.deciding import decide
 from pool2d.opponent.player import Player
 from pool2d.opponent.playing import played_out
 from pool2d.opponent.stray import Hand

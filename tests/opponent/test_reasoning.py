@@ -14,7 +14,7 @@ from pool2d.game.actions import as_dict, from_dict
 from pool2d.game.reasons import Reasons
 from pool2d.game.rules import Note
 from pool2d.opponent.candidate import Candidate
-from pool2d.opponent.decide import decide
+from pool2d.opponent.deciding import decide
 from pool2d.opponent.fears import fears
 from pool2d.opponent.judgement import Weighed
 from pool2d.opponent.player import Judgement, Player, Taste

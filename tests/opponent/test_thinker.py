@@ -16,7 +16,7 @@ from pool2d import Table
 from pool2d.game.match import Match
 from pool2d.game.rules import Choice
 from pool2d.game.setup import LAG, Setup
-from pool2d.opponent.decide import Decision, decide
+from pool2d.opponent.deciding import Decision, decide
 from pool2d.opponent.player import Judgement, Player
 from pool2d.opponent.thinker import Thinker, ThinkerError
 

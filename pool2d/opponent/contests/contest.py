@@ -17,7 +17,7 @@ from ...game.rules import Rules, Ruling
 from ...game.setup import NAME, Setup
 from ...table.table import Table
 from ..candidate import Candidate
-from ..decide import Decision, decide
+from ..deciding import Decision, decide
 from ..player import Player
 from ..playing import played_out
 

@@ -11,7 +11,7 @@ from ...errors import BudgetError
 from ...game.actions import Stroke
 from ...game.judging import Judged, judged
 from ...game.rules import Choice, Rules, Ruling
-from ..decide import decide
+from ..deciding import decide
 from ..player import Player
 from ..stray import strayed
 

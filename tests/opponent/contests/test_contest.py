@@ -15,7 +15,7 @@ from pool2d.game.records.replaying import restored
 from pool2d.opponent.contests import contest as contests
 from pool2d.opponent.contests.contest import Contest, held
 from pool2d.opponent.contests.score import scored
-from pool2d.opponent.decide import Decision
+from pool2d.opponent.deciding import Decision
 
 from .quick_players import STEADY, WILD
 

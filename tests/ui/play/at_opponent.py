@@ -12,7 +12,7 @@ from pool2d.game.match import Match, lagged
 from pool2d.game.rules import Ruling
 from pool2d.game.session import Session, recorded
 from pool2d.game.setup import Setup
-from pool2d.opponent.decide import Decision, decide
+from pool2d.opponent.deciding import Decision, decide
 from pool2d.opponent.player import Player
 from pool2d.opponent.thinker import ThinkerError
 from pool2d.ui.play.modes import opponent_mode

@@ -11,7 +11,7 @@ from ....game.actions import Action, Stroke
 from ....game.aim import Aim
 from ....game.rules import PLACE, Choice, Ruling
 from ....game.rules.report import Call
-from ....opponent.decide import Decision
+from ....opponent.deciding import Decision
 from ....opponent.player import Player
 from ....opponent.playing import by_hand
 from ....physics.values import Shot
