@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import pytest
 
-from pool2d import InputError, load_table
+from pool2d import InputError, load_table, opponent
 from pool2d.game import rules
 from pool2d.game.rules import GAMES, PLACE, Choice, game, games_for
 from pool2d.game.rules.notes import ENGLISH, Note, label, say
@@ -114,7 +114,8 @@ def test_a_note_is_a_sentence() -> None:
 
 @pytest.mark.parametrize("key", ENGLISH)
 def test_every_word_is_used_and_has_no_gap_left(key: str) -> None:
-    sources = "".join(path.read_text(encoding="utf-8") for path in Path(rules.__file__).parent.rglob("*.py"))
+    rooms = (Path(room.__path__[0]) for room in (rules, opponent))
+    sources = "".join(path.read_text(encoding="utf-8") for room in rooms for path in room.rglob("*.py"))
     name = key.removeprefix("choice.")
     stem = name.rpartition(".")[0]
     assert f'"{name}' in sources.replace(f'"{key}":', "") or f'f"{stem}.{{' in sources
