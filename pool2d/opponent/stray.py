@@ -23,7 +23,7 @@ TIP: Final = 0.0005
 SPEED: Final = 0.075
 ELEVATION: Final = 0.1
 
-# How much each of these widens errors is common sense: tutors say that it does, and nobody has published by how much.
+# How much each of these widens errors is common sense: tutors say that it does, by how much was found nowhere.
 # A player reaches so far over the bed without a stretch, m; a cue ball that near to the rail behind it, m, has the
 # bridge on the rail; strokes up to that speed, m/s, are not hard; a butt raised by so many degrees doubles the errors.
 _REACH: Final = 1.0

@@ -160,7 +160,7 @@ def test_a_shot_that_the_engine_gives_up_is_told_and_the_balls_stay(two: Hand, m
         raise BudgetError(50_000, 1.0, {})
 
     monkeypatch.setattr("pool2d.ui.play.foresight.simulate", gives_up)
-    monkeypatch.setattr(two.play.state.session, "play", gives_up)
+    monkeypatch.setattr(two.play.state.session, "do", gives_up)
     two.key(pygame.K_SPACE)
     assert two.open and two.play.state.playback is None
     assert "not over" in two.play.state.messages.text and two.play.state.session.layout == before
