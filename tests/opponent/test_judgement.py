@@ -9,11 +9,11 @@ import pytest
 
 from pool2d import Ball, Layout, load_table, simulate
 from pool2d.game import game
-from pool2d.game.rules import Ruling, State
+from pool2d.game.rules import Choice, Ruling, State
 from pool2d.game.rules.base import Rules
 from pool2d.opponent.candidates.find import candidates
 from pool2d.opponent.candidates.pots import OUTERMOST, varied
-from pool2d.opponent.judgement import best, glance, weigh
+from pool2d.opponent.judgement import best, glance, played, weigh
 from pool2d.opponent.player import Judgement, Player
 from pool2d.opponent.stray import Hand
 from pool2d.opponent.turn import Turn
@@ -68,3 +68,22 @@ def test_who_never_strays_looks_once_and_who_strays_more_comes_off_less() -> Non
     seen = glance(steady, first)
     assert seen is not None and seen.chance > 0.9
     assert weigh(wild, seen, 20, "a").chance < 0.7
+
+
+def test_a_push_out_is_thought_of_where_it_may_be_said_and_the_other_chooses_after_it() -> None:
+    here = turn(Hand(0.0, 0.0, 0.0, 0.0))
+    assert not [one for one in candidates(here) if one.kind == "push"]
+    ask = replace(here.ask, may=("push",))
+    pushing = Turn(here.rules, here.ruling._replace(state=replace(here.state, ask=ask)), here.player)
+    found = [one for one in candidates(pushing) if one.kind == "push"]
+    assert found and all(one.stroke.call.push for one in found)
+    for one in found:
+        seen, outcome = glance(pushing, one), played(pushing, one, one.stroke)
+        assert seen is not None and outcome is not None
+        if not outcome.ruling.foul:
+            # Whoever goes on is the other player's to say: what it is worth is the lesser of both.
+            options = (
+                pushing.rules.choose(outcome.ruling.state, outcome.ruling.layout, Choice(key))
+                for key in ("play", "pass")
+            )
+            assert seen.value == pytest.approx(min(pushing.worth_of(ruling) for ruling in options))

@@ -9,6 +9,7 @@ from itertools import islice
 from typing import Final
 
 from ...game.actions import Stroke
+from ...game.rules.report import Call
 from ...physics.values import Layout, Shot
 from ..candidate import Candidate
 from ..player import Judgement
@@ -46,9 +47,17 @@ def _from_here(turn: Turn, layout: Layout, cue: str) -> Iterator[Candidate]:
     straight = list(_pots(turn, layout, cue))
     yield from straight
     yield from _by_another(turn, layout, cue, easy=any(one.prior > _EASY for one in straight))
-    yield from safeties(turn, layout, cue, int(see.safeties))
+    safe = list(safeties(turn, layout, cue, int(see.safeties)))
+    yield from safe
+    if "push" in turn.ask.may:
+        yield from map(_pushed, safe)
     if not straight:
         yield from kicks(turn, layout, cue, int(see.kicks))
+
+
+def _pushed(safety: Candidate) -> Candidate:
+    """The same stroke as a push out: it need meet nothing, and the other player says who goes on."""
+    return replace(safety, kind="push", stroke=replace(safety.stroke, call=Call(push=True)))
 
 
 def _sight(turn: Turn) -> Judgement:
