@@ -7,11 +7,10 @@ from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 from ..physics.event import Event
-from ..physics.motion import Motion
+from ..physics.motion import Motion, pieces
 from ..physics.rollout import Rollout
 from ..physics.roots import first_root
 from ..physics.values import AIRBORNE, MISCUE, Ball
-from ..table.arrivals import pieces
 from ..table.flights import Flight, flights
 from ..table.table import Table
 

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from ..physics.event import Event
-from ..physics.motion import Motion
+from ..physics.motion import span
 from ..physics.rollout import Rollout
-from ..physics.values import MISCUE, PUSH, RESTING, Ball
-from ..table.arrivals import FROZEN, Arrivals, pieces
+from ..physics.values import MISCUE, PUSH, Ball, Layout
+from ..table.arrivals import FROZEN, Arrivals
 from ..table.table import Table
 from .jumps import jumps, scooped
 from .rules.corners import corner_of, lines
@@ -56,10 +57,9 @@ class _Reader:
         self.start = rollout.start
         self.line = table.furniture.head_string
         # How far down and up the table each ball gets.
-        self.spans = {ball: _span(track, rollout.duration) for ball, track in rollout.tracks.items()}
+        self.spans = {ball: span(track, rollout.duration) for ball, track in rollout.tracks.items()}
         self.arrivals = Arrivals(table, rollout)
-        # Each once, also where a ball lies on a cushion's nose and its end.
-        self.frozen_at_start = tuple(dict.fromkeys(self.frozen()))
+        self.frozen_at_start = _frozen(table, rollout.start)
 
     def report(self, call: Call) -> Report:
         contacts: list[Contact] = []
@@ -122,16 +122,6 @@ class _Reader:
                 if math.hypot(ball.vx, ball.vy, ball.vz) < _RESTS:
                     yield ball.id
 
-    def frozen(self) -> Iterator[tuple[str, str]]:
-        """The balls that lay on a cushion, and which."""
-        for ball in self.start.on_table():
-            radius = self.table.body_of(ball)[0]
-            reach, room = self.table.reach(radius), radius + FROZEN
-            for index in self.table.near(ball.x - room, ball.y - room, ball.x + room, ball.y + room):
-                element = self.table.elements[index]
-                if element.kind == "ball_cushion" and element.gap(ball.x, ball.y, reach) <= FROZEN:
-                    yield ball.id, element.name
-
     def gap(self, ball: Ball) -> float:
         """How far a ball is from the cue ball before the shot, m."""
         cue = self.start[self.cue]
@@ -173,7 +163,7 @@ class _Reader:
         """Whether the first ball met stood behind the head string and the cue ball had not crossed it."""
         if self.line is None or not first or any(self.start[ball].x >= self.line for ball in first):
             return False
-        return _span(self.rollout.tracks[self.cue], when)[1] < self.line
+        return span(self.rollout.tracks[self.cue], when)[1] < self.line
 
     def stayed(self) -> bool:
         """Whether the cue ball never crossed the head string nor met a ball beyond it."""
@@ -185,7 +175,7 @@ class _Reader:
     def astray(self) -> bool:
         """Whether the cue ball went over the long string."""
         middle = 0.5 * self.table.knobs.table.width
-        low, high = _span(self.rollout.tracks[self.cue], self.rollout.duration, 0.0, 1.0)
+        low, high = span(self.rollout.tracks[self.cue], self.rollout.duration, 0.0, 1.0)
         return low < middle < high
 
     def jammed(self) -> Iterator[str]:
@@ -202,7 +192,7 @@ class _Reader:
             corner = corner_of(self.table, ball.x, ball.y)
             if ball.id != self.cue and corner:
                 u, v, limit = lines(self.table)[corner]
-                if _span(self.rollout.tracks[ball.id], self.rollout.duration, u, v)[1] > limit:
+                if span(self.rollout.tracks[ball.id], self.rollout.duration, u, v)[1] > limit:
                     yield ball.id
 
     def cleared(self) -> Iterator[str]:
@@ -221,19 +211,17 @@ class _Reader:
         return tuple(ball for ball, (low, high) in self.spans.items() if ball != self.cue and low < line < high)
 
 
-def _span(track: list[Motion], end: float, u: float = 1.0, v: float = 0.0) -> tuple[float, float]:
-    """The least and greatest ux + vy of a ball up to a time."""
-    if len(track) == 1 and track[0].phase == RESTING:
-        place = u * track[0].x + v * track[0].y
-        return place, place
-    found = []
-    for motion, a, b in pieces(track, 0.0, end):
-        place, speed, bend = (u * along + v * across for along, across in _xy(motion))
-        turn = motion.t0 - 0.5 * speed / bend if bend else a
-        found += [place + (speed + bend * s) * s for s in (t - motion.t0 for t in (a, min(max(turn, a), b), b))]
-    return min(found, default=0.0), max(found, default=0.0)
+@lru_cache(maxsize=2)
+def _frozen(table: Table, layout: Layout) -> tuple[tuple[str, str], ...]:
+    """The balls that lie on a cushion, and which; kept, as whoever weighs strokes has many seen from one layout."""
+    # Each once, also where a ball lies on a cushion's nose and its end.
+    return tuple(dict.fromkeys(pair for ball in layout.on_table() for pair in _lies_on(table, ball)))
 
 
-def _xy(motion: Motion) -> tuple[tuple[float, float], ...]:
-    """Place, speed and half the acceleration of a motion where it starts."""
-    return (motion.x, motion.y), (motion.vx, motion.vy), (motion.hx, motion.hy)
+def _lies_on(table: Table, ball: Ball) -> Iterator[tuple[str, str]]:
+    radius = table.body_of(ball)[0]
+    reach, room = table.reach(radius), radius + FROZEN
+    for index in table.near(ball.x - room, ball.y - room, ball.x + room, ball.y + room):
+        element = table.elements[index]
+        if element.kind == "ball_cushion" and element.gap(ball.x, ball.y, reach) <= FROZEN:
+            yield ball.id, element.name

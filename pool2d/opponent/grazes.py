@@ -17,7 +17,7 @@ from ..physics.simulate import simulate
 from ..physics.values import Ball, Layout
 from ..table.table import Table
 
-# Off a pocket's axis, radians.
+# Off a pocket's axis, evenly, radians.
 ANGLES: Final = tuple(math.radians(angle) for angle in (-66.0, -44.0, -22.0, 0.0, 22.0, 44.0, 66.0))
 # How fast balls come, m/s: a fast one has to be truer. What holds is the mean.
 SPEEDS: Final = (0.8, 2.0, 3.5)

@@ -104,8 +104,12 @@ def windows(seen: Mouths, places: Floats, reach: float) -> tuple[Floats, Floats]
 
 def _grazed(seen: Mouths, off: Floats) -> Floats:
     """How far either jaw may be grazed (N, P, 2) by balls that come in so far off a pocket's axis (N, P)."""
-    found = [[np.interp(off[:, p], ANGLES, jaw) for jaw in pocket] for p, pocket in enumerate(seen.grazed)]
-    return np.array(found, dtype=float).transpose(2, 0, 1)
+    place = np.clip((off - ANGLES[0]) / (ANGLES[1] - ANGLES[0]), 0.0, len(ANGLES) - 1.0)
+    below = np.minimum(place.astype(int), len(ANGLES) - 2)
+    pocket = np.arange(len(seen.names))
+    at, beyond = seen.grazed[pocket, :, below], seen.grazed[pocket, :, below + 1]
+    found: Floats = at + (place - below)[..., None] * (beyond - at)
+    return found
 
 
 def _turned(angle: Floats) -> Floats:

@@ -65,9 +65,9 @@ def pot_lines(
     goal = np.broadcast_to(seen.middles[None], along.shape)
     start = np.broadcast_to(places[:, None, :], along.shape)
     run = np.hypot(*np.moveaxis(goal - start, -1, 0))
-    free = _clear(start, goal, stand, own, touch) & (half > 0.0)
     ghost = start - touch * along
     if anywhere:
+        free = _clear(start, goal, stand, own, touch) & (half > 0.0)
         lead, cut = np.full(run.shape, 0.35), np.full(run.shape, math.radians(12.0))
     else:
         here = np.broadcast_to(np.array((cue.x, cue.y)), along.shape)
@@ -75,7 +75,8 @@ def pot_lines(
         lead = np.hypot(to_ghost[..., 0], to_ghost[..., 1])
         cosine = (to_ghost * along).sum(axis=-1) / np.maximum(lead, 1e-9)
         cut = np.arccos(np.clip(cosine, -1.0, 1.0))
-        free = free & _clear(here, ghost, stand, own, touch) & (cut < math.radians(THINNEST))
+        both = _clear(np.stack((start, here)), np.stack((goal, ghost)), stand, own, touch)
+        free = both.all(axis=0) & (half > 0.0) & (cut < math.radians(THINNEST))
     spread = strays(hand, radius, lead, cut)
     found = []
     for i, j in zip(*np.nonzero(free), strict=True):
@@ -94,15 +95,15 @@ def _has_room(table: Table, ball: Ball, direction: float, touch: float, radius: 
 
 
 def _clear(a: Floats, b: Floats, stand: Floats, own: Truths, touch: float) -> Truths:
-    """Whether a ball may go from each `a` to each `b`, (N, P, 2), by the balls that stand about, (M, 2).
+    """Whether a ball may go from each `a` to each `b`, (..., N, P, 2), by the balls that stand about, (M, 2).
 
     `own` (N, M) tells which of those are meant.
     """
     along = b - a
     square = np.maximum((along * along).sum(axis=-1), 1e-18)
-    off = stand[None, None] - a[:, :, None, :]
-    t = np.clip((off * along[:, :, None, :]).sum(axis=-1) / square[..., None], 0.0, 1.0)
-    gap = off - t[..., None] * along[:, :, None, :]
+    off = stand - a[..., None, :]
+    t = np.clip((off * along[..., None, :]).sum(axis=-1) / square[..., None], 0.0, 1.0)
+    gap = off - t[..., None] * along[..., None, :]
     near = (gap * gap).sum(axis=-1) < (_PASSES * touch) ** 2
     free: Truths = ~(near & ~own[:, None, :]).any(axis=-1)
     return free

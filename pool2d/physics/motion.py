@@ -9,6 +9,7 @@ own at 5 mu_sp g / (2R). (Coriolis 1835; Alciatore TP 4.1, TP A.4.)
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from typing import Any, Final, final
 
 from .body import Body
@@ -236,3 +237,25 @@ def roll(body: Body, ux: float, uy: float) -> None:
     body.vy -= 2.0 / 7.0 * uy
     body.wx = -body.vy / body.radius
     body.wy = body.vx / body.radius
+
+
+def pieces(track: Sequence[Motion], start: float, end: float) -> Iterator[tuple[Motion, float, float]]:
+    """The motions of a ball between two times, each with the part of that time in which it holds."""
+    for i, motion in enumerate(track):
+        until = track[i + 1].t0 if i + 1 < len(track) else INF
+        if motion.t0 < end and until > start:
+            yield motion, max(motion.t0, start), min(until, end)
+
+
+def span(track: Sequence[Motion], end: float, u: float = 1.0, v: float = 0.0) -> tuple[float, float]:
+    """The least and greatest ux + vy of a ball up to a time; of a track that begins later (0, 0)."""
+    low, high = INF, -INF
+    for motion, a, b in pieces(track, 0.0, end):
+        place = u * motion.x + v * motion.y
+        speed, bend = u * motion.vx + v * motion.vy, u * motion.hx + v * motion.hy
+        turn = motion.t0 - 0.5 * speed / bend if bend else a
+        for t in (a, min(max(turn, a), b), b):
+            s = t - motion.t0
+            there = place + (speed + bend * s) * s
+            low, high = min(low, there), max(high, there)
+    return (low, high) if low <= high else (0.0, 0.0)

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
-
-from ..physics.motion import Motion
+from ..physics.motion import pieces
 from ..physics.rollout import Rollout
 from ..physics.values import Ball
 from .table import Table
@@ -43,11 +40,3 @@ class Arrivals:
         """How far a ball is from a cushion, m."""
         reach = self._table.reach(self._table.body_of(ball)[0])
         return min([rail.gap(ball.x, ball.y, reach) for rail in self._table.rails[cushion]])
-
-
-def pieces(track: Sequence[Motion], start: float, end: float) -> Iterator[tuple[Motion, float, float]]:
-    """The motions of a ball between two times, each with the part of that time in which it holds."""
-    for i, motion in enumerate(track):
-        until = track[i + 1].t0 if i + 1 < len(track) else math.inf
-        if motion.t0 < end and until > start:
-            yield motion, max(motion.t0, start), min(until, end)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from ..errors import InputError, suggest
+from ..physics.cue.cue_body import INF, TAPER, UPRIGHT, CueBody
 from ..physics.values import Ball, Layout, Shot
-from .cue_body import INF, TAPER, UPRIGHT, CueBody
 from .rail_tops import AimFrame
 from .table import Table
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from ..physics.cue.cue_body import BUTT, CueBody, Way
 from ..physics.detect import Jaw, Pocket, Rail
 from ..physics.standing import inside
-from .cue_body import BUTT, CueBody, Way
 from .geometry import Geometry
 from .outline import Point, widened
 

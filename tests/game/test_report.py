@@ -7,8 +7,9 @@ import math
 import pytest
 
 from pool2d import Ball, Layout, Shot, load_table, simulate
-from pool2d.game.referee import _span, observe
+from pool2d.game.referee import observe
 from pool2d.game.rules.report import BALL, POCKET, RAIL, Call, Contact, Report
+from pool2d.physics.motion import span
 from pool2d.physics.values import POCKETED
 
 from .rules.notation import report
@@ -219,7 +220,7 @@ def test_a_curve_goes_furthest_between_its_ends(side: float, low: float, high: f
     ends = [motion.y for motion in roll.tracks["cue"] if motion.t0 < end] + [roll.at(end)["cue"].y]
     seen = [roll.at(end * step / 4000)["cue"].y for step in range(4001)]
     assert not any(event.rails for event in roll.events if event.t < end)
-    assert _span(roll.tracks["cue"], end, 0.0, 1.0) == pytest.approx((min(seen), max(seen)), abs=1e-6)
+    assert span(roll.tracks["cue"], end, 0.0, 1.0) == pytest.approx((min(seen), max(seen)), abs=1e-6)
     assert max(seen) - max(ends) > 0.02 or min(ends) - min(seen) > 0.02
     assert min(seen) <= low
     assert max(seen) >= high

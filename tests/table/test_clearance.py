@@ -8,7 +8,7 @@ import random
 import pytest
 
 from pool2d import Ball, Clearance, InputError, Layout, Shot, Table, least_elevation, load_table
-from pool2d.table.cue_body import BUTT, LENGTH, TIP, CueBody, root
+from pool2d.physics.cue.cue_body import BUTT, LENGTH, TIP, CueBody, root
 
 from ..scenes import random_shot
 from .cue_points import goes_through

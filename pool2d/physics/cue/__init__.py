@@ -1,1 +1,1 @@
-"""The cue once it has struck."""
+"""The cue: its body, and what it does once it has struck."""
