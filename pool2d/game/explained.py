@@ -52,7 +52,7 @@ ENGLISH: dict[str, str] = {
     "win": "wins {percent}",
     "ahead": "{points} points ahead",
     "behind": "{points} points behind",
-    "mind": "played {runs} times in mind: fouls {fouls}, turn lost {lost}",
+    "mind": "tries in mind: {runs}; fouls {fouls}, turn lost {lost}",
     "fear": "{share}: {what}",
     "fearless": "nothing: it never went wrong in mind",
     # What the hand made of it.

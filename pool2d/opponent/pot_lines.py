@@ -22,6 +22,8 @@ Truths = npt.NDArray[np.bool_]
 
 # Two balls pass one another that are this share of a touch apart.
 _PASSES: Final = 0.999
+# Balls no further apart than this, in touches, may be in one another's ways to all pockets.
+_NEAR: Final = 2.5
 # A cue ball that hits its ball by so much less than it would have to is not kept from it by a cushion, m.
 _PRESSED: Final = 1e-3
 
@@ -54,6 +56,57 @@ def pot_lines(
     names = [ball for ball in balls if ball != cue.id]
     if not names or not seen.names:
         return
+    ways = _ways(table, layout, cue, names)
+    free, lead, cut = _anywhere(ways) if anywhere else _from(ways, cue)
+    spread = strays(hand, ways.radius, lead, cut)
+    found = []
+    for i, j in zip(*np.nonzero(free), strict=True):
+        chance = within(ways.half[i, j], spread[i, j])
+        way, thick, far, on = (float(value[i, j]) for value in (ways.direction, cut, lead, ways.run))
+        found.append(PotLine(names[i], seen.names[j], way, thick, far, on, chance))
+    for line in sorted(found, key=lambda line: -line.chance):
+        if _has_room(table, layout[line.ball], line.direction, ways.touch, ways.radius):
+            yield line
+
+
+def shut(table: Table, layout: Layout, balls: Collection[str]) -> set[str]:
+    """Of these balls those that cannot be potted from anywhere: others are in their ways, or behind them."""
+    cue = layout[table.furniture.cue]
+    names = [name for name in sorted(balls) if name != cue.id and _crowded(table, layout, layout[name], cue)]
+    if not names or not mouths(table).names:
+        return set()
+    free, _, _ = _anywhere(_ways(table, layout, cue, names))
+    return {names[i] for i in np.nonzero(~free.any(axis=-1))[0]}
+
+
+def _crowded(table: Table, layout: Layout, ball: Ball, cue: Ball) -> bool:
+    """Whether another object ball is near a ball: only then may all its ways be taken."""
+    near = _NEAR * table.touch(ball, cue)
+    others = (other for other in layout.on_table() if other.id not in (ball.id, cue.id))
+    return any(math.hypot(other.x - ball.x, other.y - ball.y) < near for other in others)
+
+
+class _Ways(NamedTuple):
+    """The ways of balls (N) to the pockets (P): `start`, `goal`, `ghost`, where the cue ball meets them, and the unit
+    vectors `along` (N, P, 2); `direction`, `half` the window's angle, and `run` (N, P). `stand` (M, 2) is where balls
+    are, and `own` (N, M) tells which of those goes.
+    """
+
+    start: Floats
+    goal: Floats
+    ghost: Floats
+    along: Floats
+    direction: Floats
+    half: Floats
+    run: Floats
+    stand: Floats
+    own: Truths
+    touch: float
+    radius: float
+
+
+def _ways(table: Table, layout: Layout, cue: Ball, names: list[str]) -> _Ways:
+    seen = mouths(table)
     others = [ball for ball in layout.on_table() if ball.id != cue.id]
     places = np.array([(layout[name].x, layout[name].y) for name in names])
     stand = np.array([(ball.x, ball.y) for ball in others])
@@ -62,30 +115,28 @@ def pot_lines(
     radius = table.body_of(layout[names[0]])[0]
     direction, half = windows(seen, places, table.reach(radius))
     along = np.stack((np.cos(direction), np.sin(direction)), axis=-1)
-    goal = np.broadcast_to(seen.middles[None], along.shape)
     start = np.broadcast_to(places[:, None, :], along.shape)
+    goal = np.broadcast_to(seen.middles[None], along.shape)
     run = np.hypot(*np.moveaxis(goal - start, -1, 0))
-    ghost = start - touch * along
-    if anywhere:
-        free = _clear(start, goal, stand, own, touch) & (half > 0.0)
-        lead, cut = np.full(run.shape, 0.35), np.full(run.shape, math.radians(12.0))
-    else:
-        here = np.broadcast_to(np.array((cue.x, cue.y)), along.shape)
-        to_ghost = ghost - here
-        lead = np.hypot(to_ghost[..., 0], to_ghost[..., 1])
-        cosine = (to_ghost * along).sum(axis=-1) / np.maximum(lead, 1e-9)
-        cut = np.arccos(np.clip(cosine, -1.0, 1.0))
-        both = _clear(np.stack((start, here)), np.stack((goal, ghost)), stand, own, touch)
-        free = both.all(axis=0) & (half > 0.0) & (cut < math.radians(THINNEST))
-    spread = strays(hand, radius, lead, cut)
-    found = []
-    for i, j in zip(*np.nonzero(free), strict=True):
-        chance = within(half[i, j], spread[i, j])
-        way, thick, far, on = (float(value[i, j]) for value in (direction, cut, lead, run))
-        found.append(PotLine(names[i], seen.names[j], way, thick, far, on, chance))
-    for line in sorted(found, key=lambda line: -line.chance):
-        if _has_room(table, layout[line.ball], line.direction, touch, radius):
-            yield line
+    return _Ways(start, goal, start - touch * along, along, direction, half, run, stand, own, touch, radius)
+
+
+def _anywhere(ways: _Ways) -> tuple[Truths, Floats, Floats]:
+    """Which ways are free for a cue ball that is put where it suits; and its lead and cut, (N, P), as they are then."""
+    free = _clear(np.stack((ways.start, ways.ghost)), np.stack((ways.goal, ways.ghost)), ways)
+    lead, cut = np.full(ways.run.shape, 0.35), np.full(ways.run.shape, math.radians(12.0))
+    return free.all(axis=0) & (ways.half > 0.0), lead, cut
+
+
+def _from(ways: _Ways, cue: Ball) -> tuple[Truths, Floats, Floats]:
+    """Which ways are free for a cue ball that is where it is; its lead and cut, (N, P)."""
+    here = np.broadcast_to(np.array((cue.x, cue.y)), ways.along.shape)
+    to_ghost = ways.ghost - here
+    lead = np.hypot(to_ghost[..., 0], to_ghost[..., 1])
+    cosine = (to_ghost * ways.along).sum(axis=-1) / np.maximum(lead, 1e-9)
+    cut: Floats = np.arccos(np.clip(cosine, -1.0, 1.0))
+    free = _clear(np.stack((ways.start, here)), np.stack((ways.goal, ways.ghost)), ways)
+    return free.all(axis=0) & (ways.half > 0.0) & (cut < math.radians(THINNEST)), lead, cut
 
 
 def _has_room(table: Table, ball: Ball, direction: float, touch: float, radius: float) -> bool:
@@ -94,16 +145,13 @@ def _has_room(table: Table, ball: Ball, direction: float, touch: float, radius: 
     return table.on_cloth(x, y) and table.element_gap(x, y, radius)[0] > -_PRESSED
 
 
-def _clear(a: Floats, b: Floats, stand: Floats, own: Truths, touch: float) -> Truths:
-    """Whether a ball may go from each `a` to each `b`, (..., N, P, 2), by the balls that stand about, (M, 2).
-
-    `own` (N, M) tells which of those are meant.
-    """
+def _clear(a: Floats, b: Floats, ways: _Ways) -> Truths:
+    """Whether a ball may go from each `a` to each `b`, (..., N, P, 2), by the balls that stand about."""
     along = b - a
     square = np.maximum((along * along).sum(axis=-1), 1e-18)
-    off = stand - a[..., None, :]
+    off = ways.stand - a[..., None, :]
     t = np.clip((off * along[..., None, :]).sum(axis=-1) / square[..., None], 0.0, 1.0)
     gap = off - t[..., None] * along[..., None, :]
-    near = (gap * gap).sum(axis=-1) < (_PASSES * touch) ** 2
-    free: Truths = ~(near & ~own[:, None, :]).any(axis=-1)
+    near = (gap * gap).sum(axis=-1) < (_PASSES * ways.touch) ** 2
+    free: Truths = ~(near & ~ways.own[:, None, :]).any(axis=-1)
     return free

@@ -73,14 +73,9 @@ class Turn:
         return [ball for ball in self.ask.on or self.rules.on_table(self.layout) if ball != cue]
 
     def wanted(self, layout: Layout) -> list[str]:
-        """The balls that are to fall: those that may be hit first, and those without which fewer are left to pot."""
-        left = self.rules.to_go(self.state, layout, self.me)
-        return [ball for ball in self.rules.on_table(layout) if ball in self.ask.on or self._brings(layout, ball, left)]
-
-    def _brings(self, layout: Layout, ball: str, left: int) -> bool:
-        """Whether fewer balls are left to pot without a ball."""
-        scored = self.rules.scored
-        return not self.ask.on or (not scored and self.rules.to_go(self.state, layout.without(ball), self.me) < left)
+        """The balls that are to fall: those that may be hit first, and all that are to be potted to win."""
+        more = () if self.rules.scored else self.rules.to_pot(self.state, layout, self.me)
+        return [ball for ball in self.rules.on_table(layout) if not self.ask.on or ball in (*self.ask.on, *more)]
 
     @cached_property
     def goals(self) -> tuple[str, ...]:

@@ -5,25 +5,26 @@ balls that the players have yet to pot, the chance W(n, m) of whoever is at the 
 
     W(n, m) = p W(n - 1, m) + (1 - p) (1 - W(m, n)),    W(0, m) = 1
 
-and with a first shot that comes off with chance q in place of p, V(q) = q W(n - 1, m) + (1 - q) (1 - W(m, n)).
-Games that are scored are worth the points ahead instead, and those that a run from here brings.
+and with a first shot that comes off with chance q in place of p, V(q) = q W(n - 1, m) + (1 - q) (1 - W(m, n)). Where
+both have to pot the same n balls, W(n) = p W(n - 1) + (1 - p) (1 - W(n)). A ball that has no way to any pocket counts
+as more than one. Games that are scored are worth the points ahead instead, and those that a run from here brings.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import combinations, islice
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from ..game.rules import CHOOSE, Choice, Rules, Ruling, State
 from ..physics.values import GONE, Layout
 from .pot_chance import strays, within
-from .pot_lines import PotLine, pot_lines
+from .pot_lines import PotLine, pot_lines, shut
 from .stray import Hand
 
 # The least chance that whoever is at the table pots something: a fluke, a bank, a kick.
@@ -36,6 +37,10 @@ _COUNT: Final = 3
 _BEHIND: Final = 0.8
 # How often who has no pot gets away with a safety or an escape.
 _ESCAPES: Final = 0.5
+# By how much more a ball counts that has no way to any pocket: it has to be broken out first.
+_STUCK: Final = 0.7
+# As many cannons follow one another as no run is long.
+_CANNONS: Final = 1000
 # What the end of a scored game counts, and the most that a run is held to bring, in points.
 _END: Final = 30.0
 _LONGEST: Final = 40.0
@@ -49,6 +54,34 @@ def chance_to_win(p: float, n: int, m: int) -> float:
     ours, theirs, miss = p * chance_to_win(p, n - 1, m), p * chance_to_win(p, m - 1, n), 1.0 - p
     # W(n, m) = ours + miss (1 - W(m, n)), and the same the other way round.
     return (ours + miss * (1.0 - theirs) - miss * miss) / (1.0 - miss * miss)
+
+
+@lru_cache(maxsize=4096)
+def chance_in_common(p: float, n: int) -> float:
+    """W(n): the chance to win of who is at the table where both have to pot the same `n` balls."""
+    return 1.0 if n <= 0 else (p * chance_in_common(p, n - 1) + 1.0 - p) / (2.0 - p)
+
+
+class Race(NamedTuple):
+    """How many balls who is at the table and who is not have yet to pot; `common` where they are the same ones."""
+
+    mine: float
+    theirs: float
+    common: bool
+
+    def potted(self) -> Race:
+        """After the next ball."""
+        return self._replace(mine=self.mine - 1.0, theirs=self.theirs - self.common)
+
+    def other(self) -> Race:
+        """As the other player has it."""
+        return Race(self.theirs, self.mine, self.common)
+
+    def win(self, p: float) -> float:
+        """The chance to win of who is at the table, and goes on with a chance `p`."""
+        if self.common:
+            return _between(partial(chance_in_common, p), self.mine)
+        return _between(lambda n: _between(partial(chance_to_win, p, n), self.theirs), self.mine)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,10 +102,9 @@ class Scale:
 
     def passed(self, ruling: Ruling, player: int) -> float:
         """What it is worth to a player that the other comes to the table, with a common chance."""
-        other = self.rules.other(player)
         if self.rules.scored:
             return self.ahead(ruling.state, player) - self._run(ruling, self.rate)
-        return 1.0 - self.win(self._to_go(ruling, other), self._to_go(ruling, player))
+        return 1.0 - self._race(ruling, self.rules.other(player)).win(self.rate)
 
     def opening(self, ruling: Ruling) -> float:
         """The chance that who is at the table goes on from here."""
@@ -80,10 +112,6 @@ class Scale:
             return gathered(ruling.layout, self.rules.table.knobs.table.length, self.rate)
         share = 1.0 if ruling.ask.where in ("", "anywhere") else _BEHIND
         return max(FLUKE, either(share * line.chance for line in islice(self._lines(ruling), _COUNT)))
-
-    def win(self, mine: int, theirs: int) -> float:
-        """W(mine, theirs) at the common rate."""
-        return chance_to_win(self.rate, mine, theirs)
 
     def ahead(self, state: State, player: int) -> float:
         """How many points a player is ahead."""
@@ -101,24 +129,30 @@ class Scale:
         if self.rules.scored:
             run = self._run(ruling, chance)
             return self.ahead(ruling.state, player) + (run if mover == player else -run)
-        mine, theirs = self._to_go(ruling, mover), self._to_go(ruling, self.rules.other(mover))
-        win = max(self._attack(chance, mine, theirs), self._defence(mine, theirs))
+        race = self._race(ruling, mover)
+        win = max(self._attack(chance, race), self._defence(race))
         return win if mover == player else 1.0 - win
 
-    def _attack(self, chance: float, mine: int, theirs: int) -> float:
+    def _attack(self, chance: float, race: Race) -> float:
         """V(q): the chance to win of who goes for a pot that comes off with a chance."""
-        return chance * self.win(mine - 1, theirs) + (1.0 - chance) * (1.0 - self.win(theirs, mine))
+        return chance * race.potted().win(self.rate) + (1.0 - chance) * (1.0 - race.other().win(self.rate))
 
-    def _defence(self, mine: int, theirs: int) -> float:
+    def _defence(self, race: Race) -> float:
         """The chance to win of who plays safe, or gets out of a snooker: as often as not that fails.
 
         Where it does not, either player may be the next to have a chance.
         """
-        failed = 1.0 - self.win(theirs, mine)
-        return _ESCAPES * 0.5 * (self.win(mine, theirs) + failed) + (1.0 - _ESCAPES) * failed
+        failed = 1.0 - race.other().win(self.rate)
+        return _ESCAPES * 0.5 * (race.win(self.rate) + failed) + (1.0 - _ESCAPES) * failed
 
-    def _to_go(self, ruling: Ruling, player: int) -> int:
-        return self.rules.to_go(ruling.state, ruling.layout, player)
+    def _race(self, ruling: Ruling, mover: int) -> Race:
+        """How the balls stand where a player is at the table."""
+        left = [
+            set(self.rules.to_pot(ruling.state, ruling.layout, player)) for player in (mover, self.rules.other(mover))
+        ]
+        stuck = shut(self.rules.table, ruling.layout, left[0] | left[1])
+        mine, theirs = (len(balls) + _STUCK * min(len(balls & stuck), len(balls) - 1) for balls in left)
+        return Race(mine, theirs, left[0] == left[1])
 
     def _of_choice(self, ruling: Ruling, player: int, looks: int) -> float:
         """Whoever chooses takes what is best for them; what that leads to is looked at so many choices deep."""
@@ -136,13 +170,26 @@ class Scale:
         won = 0.5 if winner is None else float(winner == player)
         return self.ahead(ruling.state, player) + _END * (2.0 * won - 1.0) if self.rules.scored else won
 
+    def _loose(self, ruling: Ruling) -> int:
+        """How many balls have a way to a pocket; of a game without pockets, as many as there are cannons to come."""
+        balls = self.rules.on_table(ruling.layout)
+        pockets = self.rules.table.geometry.pockets
+        return len(balls) - len(shut(self.rules.table, ruling.layout, balls)) if pockets else _CANNONS
+
     def _run(self, ruling: Ruling, chance: float) -> float:
         """The points that a run is to bring whose first shot comes off with a chance, less what the answer brings."""
         ball = max((self.rules.worth(ball) for ball in ruling.ask.on), default=1.0)
-        more = self.rate / (1.0 - self.rate)
+        more = self.rate * (1.0 - self.rate ** self._loose(ruling)) / (1.0 - self.rate)
         answer = 0.5 * min(_LONGEST, ball * more)
         attack = min(_LONGEST, ball * chance * (1.0 + more)) - (1.0 - chance) * answer
         return max(attack, -(1.0 - _ESCAPES) * answer)
+
+
+def _between(f: Callable[[int], float], x: float) -> float:
+    """A function of whole numbers, straight between them."""
+    whole = int(x)
+    part = x - whole
+    return f(whole) + part * (f(whole + 1) - f(whole)) if part else f(whole)
 
 
 def either(chances: Iterable[float]) -> float:

@@ -38,7 +38,7 @@ def test_every_stroke_is_explained_or_said_to_have_no_reasons(
         "   1  Ann",
         "      Meant     Break, the 1, 8.20 m/s without spin",
         "                comes off 90 %, wins 53 %",
-        "                played 20 times in mind: fouls 10 %, turn lost 60 %",
+        "                tries in mind: 20; fouls 10 %, turn lost 60 %",
         "      Or else   1  Safety, the 1, 2.00 m/s without spin: comes off 100 %, wins 40 %",
         "      Feared    10 %: Bob was left a good shot.",
         "                5 %: The cue ball was pocketed.",

@@ -27,7 +27,7 @@ def test_reasons_are_told_in_plain_words() -> None:
     found = explained(WHY, MEANT, False, RADIUS, ENGLISH_VOICE)
     assert found.meant == "Pot, the 3, top right pocket, 2.10 m/s with draw"
     assert found.held == "comes off 70 %, wins 55 %"
-    assert found.mind == "played 30 times in mind: fouls 10 %, turn lost 30 %"
+    assert found.mind == "tries in mind: 30; fouls 10 %, turn lost 30 %"
     assert found.others == ("Safety, the 5, 1.20 m/s without spin: comes off 100 %, wins 41 %",)
     assert found.fears == ("20 %: Player 2 was left a good shot.", "10 %: The cue ball was pocketed.")
     assert found.hand == "as it was meant"

@@ -136,9 +136,9 @@ class Rules(Generic[S]):
 
     # What who plans asks: hints, where a game has any to give.
 
-    def to_go(self, state: S, layout: Layout, player: int) -> int:
-        """How many balls a player has yet to pot to win, where the game is not scored."""
-        return len(self.on_table(layout))
+    def to_pot(self, state: S, layout: Layout, player: int) -> tuple[str, ...]:
+        """The balls that a player has yet to pot to win, where the game is not scored."""
+        return self.on_table(layout)
 
     def worth(self, ball: str) -> float:
         """What a ball that is potted scores, where the game is."""

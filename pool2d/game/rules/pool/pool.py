@@ -108,11 +108,12 @@ G = TypeVar("G", bound=GroupsState)
 class GroupsRules(PoolRules[G]):
     """Rules in which each player clears a group and then pots one ball more."""
 
-    def to_go(self, state: G, layout: Layout, player: int) -> int:
-        """While the table is open, as many as of the group of which fewer are left."""
-        standing = set(self.on_table(layout))
-        names = self.groups if state.open else (state.groups[player],)
-        return 1 + min(len(standing & set(self.table.furniture.groups[name])) for name in names)
+    def to_pot(self, state: G, layout: Layout, player: int) -> tuple[str, ...]:
+        """The player's group, or that of which fewer are left while the table is open, and the ball of no group."""
+        standing, members = self.on_table(layout), self.table.furniture.groups
+        left = {name: tuple(ball for ball in standing if ball in members[name]) for name in self.groups}
+        mine = min(left.values(), key=len) if state.open else left[state.groups[player]]
+        return (*mine, *(ball for ball in standing if not any(ball in group for group in left.values())))
 
 
 def driven(report: Report) -> int:
