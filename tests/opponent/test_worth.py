@@ -9,6 +9,7 @@ import pytest
 from pool2d import Ball, Layout, load_table
 from pool2d.game import Match, Setup
 from pool2d.game.rules import Ruling
+from pool2d.game.rules.pool.pool import GroupsState
 from pool2d.opponent.stray import Hand
 from pool2d.opponent.worth import Race, Scale, chance_in_common, chance_to_win
 
@@ -60,6 +61,8 @@ def test_balls_that_have_no_way_to_a_pocket_count_against_who_has_to_pot_them() 
     """Two solids stand together at a stripe beside the rail, or apart; the cue ball has the same open ball."""
     table = load_table("pool-9ft")
     match = Match(table, Setup("eight-ball", breaker=0, seed=1))
+    open_table = match.state
+    assert isinstance(open_table, GroupsState)
     radius = table.knobs.ball.radius
     apart = {"3": (1.5, 0.9), "4": (1.9, 0.9), "11": (0.4, 0.9)}
     beside = {"3": (1.27, radius), "4": (1.27 + 2.0 * radius, radius), "11": (1.27 + radius, 2.75 * radius)}
@@ -68,7 +71,7 @@ def test_balls_that_have_no_way_to_a_pocket_count_against_who_has_to_pot_them() 
         fixed = [Ball("cue", 2.0, 0.6), Ball("1", 2.3, 0.3), Ball("8", 0.6, 0.3)]
         layout = Layout([*fixed, *(Ball(name, x, y) for name, (x, y) in places.items())])
         ask = replace(match.ask, where="", on=("1", "3", "4"), options=())
-        state = replace(match.state, shots=1, turn=0, groups=("solid", "stripe"), ask=ask)
+        state = replace(open_table, shots=1, turn=0, groups=("solid", "stripe"), ask=ask)
         return Scale(match.rules, Hand(), 0.8).value(Ruling(state, layout), 0)
 
     assert worth(beside) < worth(apart) - 0.02

@@ -24,6 +24,8 @@ from .pots import pots
 from .routed import routed
 from .safeties import safeties
 
+# From so many places of a cue ball in hand more than pots is thought of, where none lies open.
+_PLACES: Final = 4
 # A pot that is likelier than this is not looked past.
 _EASY: Final = 0.85
 
@@ -32,7 +34,8 @@ def candidates(turn: Turn) -> Iterator[Candidate]:
     """The strokes at every ball that may be struck, from every place where that may stand."""
     for cue in turn.cues:
         for number, (place, layout) in enumerate(turn.stands(cue)):
-            found = _from_here(turn, layout, cue) if number == 0 or turn.opens else _pots(turn, layout, cue)
+            whole = number == 0 or turn.opens or (number < _PLACES and next(turn.lines(layout, cue), None) is None)
+            found = _from_here(turn, layout, cue) if whole else _pots(turn, layout, cue)
             yield from (replace(candidate, place=place) for candidate in found)
 
 
