@@ -39,8 +39,8 @@ _BEHIND: Final = 0.8
 _ESCAPES: Final = 0.5
 # By how much more a ball counts that has no way to any pocket: it has to be broken out first.
 _STUCK: Final = 0.7
-# As many cannons follow one another as no run is long.
-_CANNONS: Final = 1000
+# So many cannons are counted on to follow one another, where there are no pockets.
+_CANNONS: Final = 3
 # What the end of a scored game counts, and the most that a run is held to bring, in points.
 _END: Final = 30.0
 _LONGEST: Final = 40.0
@@ -171,7 +171,7 @@ class Scale:
         return self.ahead(ruling.state, player) + _END * (2.0 * won - 1.0) if self.rules.scored else won
 
     def _loose(self, ruling: Ruling) -> int:
-        """How many balls have a way to a pocket; of a game without pockets, as many as there are cannons to come."""
+        """How many balls have a way to a pocket; on a table without pockets, how many cannons to come."""
         balls = self.rules.on_table(ruling.layout)
         pockets = self.rules.table.geometry.pockets
         return len(balls) - len(shut(self.rules.table, ruling.layout, balls)) if pockets else _CANNONS
