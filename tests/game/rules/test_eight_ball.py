@@ -63,3 +63,12 @@ def test_who_concedes_loses() -> None:
     """1.12."""
     start = RULES.start()
     assert line(RULES.conceded(start.state, start.layout, 0)) == "1 wins"
+
+
+def test_who_wins_has_to_pot_a_group_and_the_eight() -> None:
+    """4.2; while the table is open, the group of which fewer are left."""
+    layout = RULES.start().layout.without("9", "10", "1")
+    state = GroupsState(groups=("solid", "stripe"), shots=3)
+    assert set(RULES.to_pot(state, layout, 0)) == set("2345678")
+    assert set(RULES.to_pot(state, layout, 1)) == {"8", "11", "12", "13", "14", "15"}
+    assert RULES.to_pot(GroupsState(shots=3), layout, 0) == RULES.to_pot(state, layout, 1)
