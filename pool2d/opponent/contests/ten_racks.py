@@ -26,6 +26,12 @@ SCALE: Final = (
 )  # fmt: skip
 
 
+class BallsCounted(TenBall):
+    """Ten-ball where who thinks is after balls, as many as come, and not after winning a rack from somebody."""
+
+    scored = True
+
+
 def grade(balls: float) -> str:
     """The grade of who makes so many balls in ten racks: D below the published scale, then D+ up to professional."""
     return SCALE[bisect_right(SCALE, round(balls), key=lambda step: step[0]) - 1][1]
@@ -33,7 +39,7 @@ def grade(balls: float) -> str:
 
 def one_rack(table: Table, player: Player, seed: int, number: int) -> int:
     """The balls that a player makes in one rack of the drill."""
-    rules, name, eager = TenBall(table), f"ten racks {seed} {number}", attacking(player)
+    rules, name, eager = BallsCounted(table), f"ten racks {seed} {number}", attacking(player)
     broken = next(visit(rules, rules.start(0, _rack(seed, number)), eager, f"{name} break"), None)
     if broken is None:
         return 0
