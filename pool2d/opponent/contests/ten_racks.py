@@ -1,7 +1,8 @@
 """The drill by which people say how good they are (Joe Tucker's, in Alciatore's FAQ on ratings), and its scale.
 
-A rack of ten balls is broken; what that makes counts, and is spotted after a foul. Then, with the cue ball in hand, the
-balls are run in rotation until one is missed. What counts is how many are made in ten racks.
+A rack of ten balls is broken; what that makes counts, but for what fell with a foul, or is spotted as the ten is. Then,
+with the cue ball in hand, the balls are run in rotation until one is missed. What counts is how many are made in ten
+racks.
 """
 
 from __future__ import annotations
@@ -43,8 +44,13 @@ def one_rack(table: Table, player: Player, seed: int, number: int) -> int:
     broken = next(visit(rules, rules.start(0, _rack(seed, number)), eager, f"{name} break"), None)
     if broken is None:
         return 0
-    made = 0 if broken.ruling.foul else len(broken.report.potted)
-    return made + potted(rules, visit(rules, in_hand(rules, broken), eager, name))[0]
+    return made(broken) + potted(rules, visit(rules, in_hand(rules, broken), eager, name))[0]
+
+
+def made(broken: Judged) -> int:
+    """How many balls a break makes that stay down."""
+    spotted = dict(broken.ruling.spotted)
+    return 0 if broken.ruling.foul else sum(ball not in spotted for ball in broken.report.potted)
 
 
 def in_hand(rules: TenBall, broken: Judged) -> Ruling:

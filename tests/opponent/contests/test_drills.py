@@ -11,7 +11,7 @@ from pool2d.game.judging import Judged
 from pool2d.game.rules.pool.ten_ball import TenBall
 from pool2d.game.rules.report import BALL, POCKET, RAIL, Contact, Report
 from pool2d.opponent.contests.pot_set import pots_in, shots
-from pool2d.opponent.contests.ten_racks import attacking, grade, in_hand, one_rack
+from pool2d.opponent.contests.ten_racks import attacking, grade, in_hand, made, one_rack
 from pool2d.opponent.contests.visits import potted, visit
 from pool2d.opponent.pot_lines import pot_lines
 from pool2d.physics.values import POCKETED
@@ -52,6 +52,13 @@ def test_after_the_break_the_cue_ball_is_in_hand_and_what_it_made_stays_down() -
     after = in_hand(TenBall(TABLE), broken(HIT, FELL, *RAILS, gone="3"))
     assert (after.ask.player, after.ask.where, after.ask.on) == (0, "anywhere", ("1",))
     assert after.layout["3"].phase == POCKETED
+
+
+def test_a_break_counts_what_stays_down() -> None:
+    assert made(broken(HIT, FELL, *RAILS, gone="3")) == 1
+    assert made(broken(HIT, FELL, *RAILS, Contact(POCKET, "cue", "top-right"), gone="3")) == 0
+    # The ten is spotted.
+    assert made(broken(HIT, Contact(POCKET, "10", "top-left"), *RAILS, gone="10")) == 0
 
 
 def test_what_a_foul_makes_is_spotted() -> None:
