@@ -151,7 +151,7 @@ class Scale:
             set(self.rules.to_pot(ruling.state, ruling.layout, player)) for player in (mover, self.rules.other(mover))
         ]
         stuck = shut(self.rules.table, ruling.layout, left[0] | left[1])
-        mine, theirs = (len(balls) + _STUCK * min(len(balls & stuck), len(balls) - 1) for balls in left)
+        mine, theirs = (len(balls) + _STUCK * min(len(balls & stuck), max(0, len(balls) - 1)) for balls in left)
         return Race(mine, theirs, left[0] == left[1])
 
     def _of_choice(self, ruling: Ruling, player: int, looks: int) -> float:
@@ -211,8 +211,7 @@ def usual_rate(hand: Hand) -> float:
     """The chance that a hand goes on from one ball to the next: that of a pot of common length and cut.
 
     0.35 m to the ball, 0.7 m to the pocket, cut by 25 degrees, a window of 2.2 degrees either way; and even who never
-    misses does not always come where he meant to. So the shipped players go on in 20 to 97 of 100 turns; playing
-    eight-ball against themselves they did in 19 to 100.
+    misses does not always come where he meant to.
     """
     spread = strays(hand, 0.028575, np.array(0.35), np.array(math.radians(25.0)))
     return 0.97 * within(math.radians(2.2), float(spread))

@@ -75,3 +75,10 @@ def test_balls_that_have_no_way_to_a_pocket_count_against_who_has_to_pot_them() 
         return Scale(match.rules, Hand(), 0.8).value(Ruling(state, layout), 0)
 
     assert worth(beside) < worth(apart) - 0.02
+
+
+def test_who_has_nothing_left_to_pot_is_no_surer_than_sure() -> None:
+    match = Match(load_table("pool-9ft"), Setup("nine-ball", breaker=0, seed=1))
+    layout = Layout([match.layout["cue"]])
+    state = replace(match.state, shots=1, turn=0, ask=replace(match.ask, on=(), options=()))
+    assert Scale(match.rules, Hand(), 0.8).passed(Ruling(state, layout), 0) == 0.0
