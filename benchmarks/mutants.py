@@ -20,7 +20,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from multiprocessing import Pool
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import NamedTuple, TypedDict
 
@@ -238,10 +238,11 @@ def main() -> int:
         if options.map:
             options.map.write_text(json.dumps(reached))
         watched = time.perf_counter() - begun
-        with Pool(options.jobs, _Worker.prepare, (tree, Map(reached))) as pool:
-            for verdict in pool.imap_unordered(_Worker.try_out, tried):
-                verdicts.append(verdict)
-                tell(verdict, options.verbose)
+        # Its processes may have children of their own, which tests of many processes need.
+        with ProcessPoolExecutor(options.jobs, initializer=_Worker.prepare, initargs=(tree, Map(reached))) as pool:
+            for done in as_completed([pool.submit(_Worker.try_out, mutant) for mutant in tried]):
+                verdicts.append(done.result())
+                tell(verdicts[-1], options.verbose)
     for layer in LAYERS:
         those = [verdict for verdict in verdicts if verdict.mutant.layer == layer]
         if those:

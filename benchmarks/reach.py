@@ -145,7 +145,7 @@ def begin(tree: Path, arguments: list[str], plugin: Watch | Show, log: Path) -> 
             if isinstance(plugin, Show):
                 # With all that it starts it may have to be killed; while tests are watched, Ctrl+C ends them too.
                 os.setpgid(0, 0)
-            _become(tree, log)
+            _become(tree, log, interpreted=isinstance(plugin, Watch))
             # Watched tests take much longer than by themselves, so no limit holds there; `Show` sets its own.
             fixed = ["-n", "0", "--timeout=0", "-p", "no:cacheprovider", "-x" if isinstance(plugin, Show) else "-q"]
             status = pytest.main([*fixed, *arguments], plugins=[plugin])
@@ -154,16 +154,20 @@ def begin(tree: Path, arguments: list[str], plugin: Watch | Show, log: Path) -> 
     return process
 
 
-def _become(tree: Path, log: Path) -> None:
-    """Make this process one that was started in the tree."""
+def _become(tree: Path, log: Path, interpreted: bool) -> None:
+    """Make this process one that was started in the tree.
+
+    Only lines that are interpreted can be watched. A tree that is shown to tests may be compiled: a source that was
+    changed is never run so.
+    """
     out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
     os.dup2(out, 1)
     os.dup2(out, 2)
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     scratch = tree.with_name(f"{tree.name}-scratch")
     scratch.mkdir(exist_ok=True)
-    # Random tests repeat on a build machine; what tests leave behind goes with the tree; and what runs is the source.
-    os.environ.update(CI="1", TMPDIR=str(scratch), POOL2D_INTERPRETED="1")
+    # Random tests repeat on a build machine; what tests leave behind goes with the tree.
+    os.environ.update(CI="1", TMPDIR=str(scratch), POOL2D_INTERPRETED="1" if interpreted else "")
     os.chdir(tree)
     sys.path[0] = str(tree)
     for name in [name for name in sys.modules if name.partition(".")[0] in _OURS]:

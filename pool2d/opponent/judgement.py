@@ -98,7 +98,8 @@ def glance(turn: Turn, candidate: Candidate) -> Weighed | None:
         return None
     sure = candidate.prior if found.came_off and candidate.prior else 1.0
     value = sure * found.value + (1.0 - sure) * turn.lost
-    return Weighed(candidate, value + _liking(turn, candidate), sure * found.came_off)
+    chance = sure * found.came_off
+    return Weighed(candidate, value + _liking(turn, candidate, chance), chance)
 
 
 def weigh(turn: Turn, weighed: Weighed, runs: int, seed: str) -> Weighed:
@@ -130,13 +131,14 @@ def _stray(turn: Turn, layout: Layout, candidate: Candidate, rng: random.Random)
 def _summed(turn: Turn, candidate: Candidate, outcomes: list[Trial]) -> Weighed:
     *columns, faults = zip(*outcomes, strict=True)
     value, chance, fouls, lost = (fmean(map(float, column)) for column in columns)
-    value += _liking(turn, candidate)
-    return Weighed(candidate, value, chance, len(outcomes), fouls, lost, fears(faults))
+    return Weighed(
+        candidate, value + _liking(turn, candidate, chance), chance, len(outcomes), fouls, lost, fears(faults)
+    )
 
 
-def _liking(turn: Turn, candidate: Candidate) -> float:
-    """What a player's taste adds."""
-    return turn.player.taste.attack if candidate.kind == "pot" else 0.0
+def _liking(turn: Turn, candidate: Candidate, chance: float) -> float:
+    """What a player's taste adds, as often as the pot comes off: nobody likes to miss."""
+    return chance * turn.player.taste.attack if candidate.kind == "pot" else 0.0
 
 
 def best(turn: Turn, candidates: Iterable[Candidate], seed: str) -> list[Weighed]:

@@ -103,7 +103,7 @@ class Scale:
     def passed(self, ruling: Ruling, player: int) -> float:
         """What it is worth to a player that the other comes to the table, with a common chance."""
         if self.rules.scored:
-            return self.ahead(ruling.state, player) - self._run(ruling, self.rate)
+            return self.ahead(ruling.state, player) - self._answered * self._run(ruling, self.rate)
         return 1.0 - self._race(ruling, self.rules.other(player)).win(self.rate)
 
     def opening(self, ruling: Ruling) -> float:
@@ -115,7 +115,12 @@ class Scale:
 
     def ahead(self, state: State, player: int) -> float:
         """How many points a player is ahead."""
-        return float(state.scores[player] - state.scores[self.rules.other(player)])
+        return 2.0 * state.scores[player] - sum(state.scores)
+
+    @property
+    def _answered(self) -> bool:
+        """Whether there is somebody who comes to the table after a miss."""
+        return self.rules.players > 1
 
     def _lines(self, ruling: Ruling) -> Iterator[PotLine]:
         table, layout, ask = self.rules.table, ruling.layout, ruling.ask
@@ -180,7 +185,7 @@ class Scale:
         """The points that a run is to bring whose first shot comes off with a chance, less what the answer brings."""
         ball = max((self.rules.worth(ball) for ball in ruling.ask.on), default=1.0)
         more = self.rate * (1.0 - self.rate ** self._loose(ruling)) / (1.0 - self.rate)
-        answer = 0.5 * min(_LONGEST, ball * more)
+        answer = 0.5 * self._answered * min(_LONGEST, ball * more)
         attack = min(_LONGEST, ball * chance * (1.0 + more)) - (1.0 - chance) * answer
         return max(attack, -(1.0 - _ESCAPES) * answer)
 

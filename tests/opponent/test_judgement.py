@@ -14,7 +14,7 @@ from pool2d.game.rules.base import Rules
 from pool2d.opponent.candidates.find import candidates
 from pool2d.opponent.candidates.pots import OUTERMOST, varied
 from pool2d.opponent.judgement import best, glance, played, weigh
-from pool2d.opponent.player import Judgement, Player
+from pool2d.opponent.player import Judgement, Player, Taste
 from pool2d.opponent.stray import Hand
 from pool2d.opponent.turn import Turn
 
@@ -68,6 +68,20 @@ def test_who_never_strays_looks_once_and_who_strays_more_comes_off_less() -> Non
     seen = glance(steady, first)
     assert seen is not None and seen.chance > 0.9
     assert weigh(wild, seen, 20, "a").chance < 0.7
+
+
+def test_a_taste_for_pots_counts_as_often_as_the_pot_comes_off() -> None:
+    plain = turn(Hand(3.0, 3.0))
+    fond = replace(plain, player=replace(plain.player, taste=Taste(attack=0.5)))
+    first = next(one for one in candidates(plain) if one.kind == "pot" and one.stroke.shot.speed > 1.0)
+    astray = replace(first, stroke=replace(first.stroke, shot=replace(first.stroke.shot, angle=180.0)))
+    for candidate in (first, astray):
+        seen, liked = glance(plain, candidate), glance(fond, candidate)
+        assert seen is not None and liked is not None
+        assert liked.value - seen.value == pytest.approx(0.5 * seen.chance)
+        thought, wished = weigh(plain, seen, 10, "a"), weigh(fond, liked, 10, "a")
+        assert wished.value - thought.value == pytest.approx(0.5 * thought.chance)
+    assert thought.chance == 0.0
 
 
 def test_a_push_out_is_thought_of_where_it_may_be_said_and_the_other_chooses_after_it() -> None:

@@ -23,6 +23,8 @@ POOL, CAROM, SNOOKER = "pool-9ft", "carom-10ft", "snooker-12ft"
 # Shots of the set in one piece; visits to the table in a match that is looked at.
 _SHOTS: Final = 10
 _INNINGS: Final = 8
+# So many times ten racks: the balls of one ten differ by a dozen from those of the next.
+_TENS: Final = 4
 
 
 class Piece(NamedTuple):
@@ -69,7 +71,7 @@ def _tallies(table: str, game: str, player: Player, seed: int, number: int) -> t
 # What is measured, in how many pieces.
 Find: TypeAlias = Callable[[Player, int, int], Piece]
 PIECES: Final[Mapping[Find, int]] = {
-    _rack: RACKS, _pots: SHOTS // _SHOTS, _run: 10, _three_cushion: 2, _snooker: 2,
+    _rack: _TENS * RACKS, _pots: SHOTS // _SHOTS, _run: 20, _three_cushion: 2, _snooker: 2,
 }  # fmt: skip
 TOTAL: Final = sum(PIECES.values())
 
@@ -91,7 +93,7 @@ def _rates(parts: Mapping[Find, Sequence[Piece]], how: str) -> Rates:
     return Rates(
         when=date.today().isoformat(),
         how=how,
-        balls=_sum(parts[_rack]),
+        balls=_sum(parts[_rack]) / _TENS,
         pots=100.0 * _sum(parts[_pots]) / SHOTS,
         run=round(fmean(piece.made for piece in parts[_run]), 2),
         break_and_runs=round(100.0 * fmean(piece.second for piece in parts[_run]), 1),

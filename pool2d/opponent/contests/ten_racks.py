@@ -12,9 +12,12 @@ from dataclasses import replace
 from typing import Final
 
 from ...game.judging import Judged
-from ...game.rules import Ruling
+from ...game.rules import Ruling, State
 from ...game.rules.pool.ten_ball import TenBall
+from ...game.rules.report import Report
+from ...game.rules.scores import added, points
 from ...game.rules.spotting import ANYWHERE, spot_balls
+from ...physics.values import Layout
 from ...table.table import Table
 from ..player import Player
 from .visits import potted, visit
@@ -28,9 +31,18 @@ SCALE: Final = (
 
 
 class BallsCounted(TenBall):
-    """Ten-ball where who thinks is after balls, as many as come, and not after winning a rack from somebody."""
+    """Ten-ball alone: each ball is a point, and the first miss after the break ends it."""
 
+    players = 1
     scored = True
+
+    def judge(self, state: State, layout: Layout, report: Report) -> Ruling:
+        ruling = super().judge(state, layout, report)
+        if not state.shots:
+            return ruling
+        balls = len(self.pots(0, report, ruling))
+        after = added(ruling.state, points(0, balls))
+        return ruling._replace(state=after if balls else self.ended(after, -1))
 
 
 def grade(balls: float) -> str:
@@ -63,9 +75,8 @@ def in_hand(rules: TenBall, broken: Judged) -> Ruling:
 
 
 def attacking(player: Player) -> Player:
-    """The player where nothing but a pot counts."""
-    see, like = replace(player.judgement, safeties=0.0), replace(player.taste, attack=1.0)
-    return replace(player, judgement=see, taste=like)
+    """The player where nothing but a pot counts: no safety is looked for."""
+    return replace(player, judgement=replace(player.judgement, safeties=0.0))
 
 
 def _rack(seed: int, number: int) -> int:

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import islice
 
 import pytest
 
 from pool2d import load_table
 from pool2d.game.judging import Judged
+from pool2d.game.rules import Ruling
 from pool2d.game.rules.pool.ten_ball import TenBall
-from pool2d.game.rules.report import BALL, POCKET, RAIL, Contact, Report
+from pool2d.game.rules.report import BALL, POCKET, RAIL, Call, Contact, Report
 from pool2d.opponent.contests.pot_set import pots_in, shots
-from pool2d.opponent.contests.ten_racks import attacking, grade, in_hand, made, one_rack
+from pool2d.opponent.contests.ten_racks import BallsCounted, attacking, grade, in_hand, made, one_rack
 from pool2d.opponent.contests.visits import potted, visit
 from pool2d.opponent.pot_lines import pot_lines
-from pool2d.physics.values import POCKETED
+from pool2d.opponent.worth import Scale
+from pool2d.physics.values import POCKETED, Layout
 
 from .quick_players import STEADY, WILD
 
@@ -69,6 +72,35 @@ def test_what_a_foul_makes_is_spotted() -> None:
     assert "3" in TenBall(TABLE).on_table(after.layout)
 
 
+def test_in_the_drill_a_ball_is_a_point_and_the_first_miss_ends_it() -> None:
+    rules = BallsCounted(TABLE)
+    after = in_hand(rules, broken(HIT, FELL, *RAILS, gone="3"))
+    state = replace(after.state, ask=replace(after.ask, kind="aim"))
+
+    def ruled(layout: Layout, last: Contact) -> Ruling:
+        report = Report(call=Call("1", "top-left"), contacts=(HIT, last), start=after.layout, first=("1",))
+        return rules.judge(state, layout, report)
+
+    gone = after.layout.put(after.layout["1"]._replace(phase=POCKETED))
+    made = ruled(gone, Contact(POCKET, "1", "top-left"))
+    missed = ruled(after.layout, Contact(RAIL, "1", "head"))
+    assert not missed.foul
+    assert (made.state.scores, made.ask.player, made.state.over) == ((1, 0), 0, False)
+    assert (missed.state.scores, missed.state.over, missed.state.winner) == ((0, 0), True, None)
+
+
+def test_alone_at_the_table_a_bad_leave_is_worth_no_less_than_what_was_made() -> None:
+    """Nobody comes to the table after a miss, so a ball more is a point more, whatever lies open."""
+    rules = BallsCounted(TABLE)
+    scale = Scale(rules, WILD.hand, 0.5)
+    after = in_hand(rules, broken(HIT, FELL, *RAILS, gone="3"))
+    made = after._replace(state=replace(after.state, scores=(1, 0)))
+    over = after._replace(state=rules.ended(after.state, -1))
+    assert scale.value(over, 0) == 0.0
+    assert scale.value(made, 0) >= 1.0 + scale.value(over, 0)
+    assert scale.passed(made, 0) == 1.0
+
+
 def test_a_visit_lasts_until_the_turn_passes() -> None:
     rules = TenBall(TABLE)
     strokes = list(visit(rules, rules.start(0, 5), attacking(STEADY), "a"))
@@ -86,7 +118,7 @@ def test_a_rack_is_the_same_again_and_makes_ten_balls_at_most() -> None:
 
 def test_who_is_to_pot_plays_no_safety() -> None:
     eager = attacking(STEADY)
-    assert (eager.judgement.safeties, eager.taste.attack, eager.hand) == (0.0, 1.0, STEADY.hand)
+    assert (eager.judgement.safeties, eager.taste, eager.hand) == (0.0, STEADY.taste, STEADY.hand)
 
 
 def test_the_set_is_the_same_for_all_and_a_pot_lies_open_in_each() -> None:

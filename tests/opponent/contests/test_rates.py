@@ -20,8 +20,8 @@ def test_pieces_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[int] = []
     monkeypatch.setattr(rates, "_done", lambda find, player, seed, number: _counting(player, seed, number))
     found = measured(WILD, 1, Crew(None, told.append), "by a test")
-    # Ten racks, ten times ten shots, ten racks, two matches each: 1 + 2 + ... of them.
-    assert (found.balls, found.pots, found.run, found.snooker_break) == (55.0, 55.0, 5.5, 2.0)
+    # Four times ten racks, ten times ten shots, twenty racks, two matches each: 1 + 2 + ... of them.
+    assert (found.balls, found.pots, found.run, found.snooker_break) == (820.0 / 4.0, 55.0, 10.5, 2.0)
     assert (found.break_and_runs, found.three_cushion) == (200.0, 0.75)
     assert (found.how, len(found.when)) == ("by a test", 10)
     assert sum(told) == rates.TOTAL
