@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Final
 
 from ..game.actions import Action, Stroke
 from ..game.rules import CHOOSE, Choice, Rules, Ruling
@@ -13,6 +13,10 @@ from .lagging import lag
 from .player import Player
 from .reasoning import reasons
 from .turn import Turn
+from .worth import Scale, usual_rate
+
+# Who is ahead by no more than this, in chances to win or in points, agrees to begin a frame again.
+_HARDLY: Final = 0.05, 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +43,17 @@ def decide(rules: Rules[Any], ruling: Ruling, player: Player, seed: str) -> Deci
     weighed = _weighed(turn, seed)
     choice = _better(turn, weighed[0].value) if turn.ask.options else None
     return Decision((choice,) if choice else _actions(weighed), tuple(weighed))
+
+
+def agrees(rules: Rules[Any], ruling: Ruling, player: Player, me: int) -> bool:
+    """Whether a player agrees to begin a frame again that the other finds gets nowhere.
+
+    It does where it is hardly ahead: where things as they stand are worth little more than a rack that either may win.
+    """
+    scale = Scale(rules, player.hand, usual_rate(player.hand))
+    anew = ruling.state if rules.lags_again else rules.stalemate(ruling.state).state
+    even = scale.ahead(anew, me) if rules.scored else 0.5
+    return scale.value(ruling, me) <= even + _HARDLY[rules.scored]
 
 
 def _better(turn: Turn, value: float) -> Choice | None:

@@ -185,6 +185,9 @@ class Lobby:
     def _ask_to_begin_again(self, menu: Scene) -> Scene:
         say = self.words.say
         session = self.play.state.session
+        if (refused := self.play.state.mode.no_stalemate) is not None:
+            self.note(refused())
+            return self.play
 
         def begin_again() -> Scene:
             session.stalemate()

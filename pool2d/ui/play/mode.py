@@ -39,6 +39,11 @@ class Mode:
         """Whether nothing is going to happen by itself."""
         return True
 
+    @property
+    def no_stalemate(self) -> Message | None:
+        """Why the frame cannot be begun again, where somebody does not agree to that."""
+        return None
+
     # What is said.
 
     @property

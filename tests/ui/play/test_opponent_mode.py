@@ -11,10 +11,13 @@ from pool2d.game.actions import Stroke
 from pool2d.game.records.recorder import resume
 from pool2d.game.session import Session
 from pool2d.opponent.playing import by_hand
+from pool2d.ui.dialogs.dialog import Confirm
 from pool2d.ui.play import play_view
+from pool2d.ui.play.modes import opponent_mode
 from pool2d.ui.play.modes.match_mode import MatchMode
 
 from ..conftest import FRAME, Hand
+from ..menus.at_menu import choose
 from .at_opponent import Here, frames, mode, play_against, sit_down, until_played
 
 
@@ -244,6 +247,29 @@ def test_who_misses_chalks_up(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> No
     assert hand.play.state.messages.text.endswith("Quick chalks up.") and heard == [1]
     frames(hand, 5.0)
     assert not hand.play.state.messages.text.endswith("Quick chalks up.")
+
+
+@pytest.mark.parametrize("agreed", [True, False])
+def test_who_is_ahead_does_not_agree_to_begin_the_frame_again(
+    agreed: bool, hand: Hand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session = play_against(hand, "", "quick", breaker=0)
+    asked: list[int] = []
+
+    def agrees(rules: object, ruling: object, player: object, side: int) -> bool:
+        asked.append(side)
+        return agreed
+
+    monkeypatch.setattr(opponent_mode, "agrees", agrees)
+    hand.app.scene = hand.app.lobby.pause()
+    hand.app.step(0.0)
+    choose(hand, "Start the frame again")
+    assert asked == [1]
+    assert isinstance(hand.app.scene, Confirm) == agreed
+    assert [note.words for note in hand.app.toasts.notes] == (
+        [] if agreed else ["Quick is ahead, and would rather play on."]
+    )
+    assert len(session.match.history) == 1
 
 
 def test_a_match_that_is_left_has_its_opponent_again(hand: Hand) -> None:

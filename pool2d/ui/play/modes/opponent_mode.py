@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ....errors import BudgetError, InputError
-from ....game.match import Moment
+from ....game.match import Moment, lagged
+from ....opponent.deciding import agrees
 from ....opponent.player import Player
 from ....opponent.player_file import load_player
 from ....opponent.thinker import Thinker, ThinkerError
@@ -51,6 +52,17 @@ class OpponentMode(MatchMode):
     def _player(self) -> Player | None:
         """Who is at the table and is no person."""
         return None if self.session.match.state.over else self._seats[self.session.ask.player]
+
+    @property
+    def no_stalemate(self) -> Message | None:
+        match = self.session.match
+        against = (
+            side
+            for side, player in enumerate(self._seats)
+            if player is not None and not agrees(match.rules, match.now.ruling, player, side)
+        )
+        side = None if lagged(match.state) else next(against, None)
+        return None if side is None else aloud.playing_on(self.words, self._name(side))
 
     def _seated(self, name: str) -> Player | None:
         try:

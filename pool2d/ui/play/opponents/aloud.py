@@ -35,6 +35,11 @@ def chalking(words: Words, name: str, before: Message) -> Message:
     return lambda: f"{before()} {words.say('opponent.chalks', name=name)}"
 
 
+def playing_on(words: Words, name: str) -> Message:
+    """That a player does not agree to begin the frame again."""
+    return lambda: words.say("opponent.plays-on", name=name)
+
+
 def stopped(words: Words, name: str, why: str, helpless: bool) -> Message:
     """That thinking has failed, and what is done about it."""
     said = words.say("opponent.helpless", name=name) if helpless else words.say("opponent.again", name=name)
