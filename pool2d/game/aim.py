@@ -35,10 +35,10 @@ class Aim:
     elevation: float = 0.0
     jump: bool = False
 
-    def shot(self, ball: str, speed: float | None = None) -> Shot:
-        """The shot that it makes of a ball, at another speed, m/s, where one is given."""
+    def shot(self, ball: str, speed: float | None = None, easy: bool = False) -> Shot:
+        """The shot that it makes of a ball, at another speed, m/s, where one is given; `easy` as `Shot` has it."""
         given = self.speed if speed is None else speed
-        return Shot(self.angle, given, self.side, self.height, self.elevation, ball, jump=self.jump)
+        return Shot(self.angle, given, self.side, self.height, self.elevation, ball, easy=easy, jump=self.jump)
 
     @classmethod
     def of(cls, shot: Shot) -> Aim:

@@ -11,9 +11,9 @@ from ..physics.rollout import Rollout
 from ..physics.values import AIRBORNE, GONE, Ball
 from .table import Table
 
-# How many parts of a ball's radius a flying ball goes on between two looks at what is below it; and how many times the
+# In how many looks at what is below it a flying ball goes on by the two balls' radii together; and how many times the
 # interval about the nearest of them is narrowed to two thirds.
-_PARTS: Final = 4.0
+_PARTS: Final = 8.0
 _NARROWED: Final = 40
 # Of more balls that are jumped only the one that is cleared by the least is told.
 FEW: Final = 2
@@ -59,11 +59,11 @@ def flights(rollout: Rollout, ball: str) -> list[Flight]:
 
 def cleared(rollout: Rollout, table: Table, flight: Flight) -> list[Cleared]:
     """The balls that are passed over in a flight, any part of them, by their distance along it."""
-    mover = rollout.start[flight.ball]
+    way = rollout.ball_at(flight.ball, flight.start), rollout.ball_at(flight.ball, flight.end)
     found = []
     for other in rollout.start.values():
         if other.id != flight.ball and other.phase not in GONE:
-            passed = _passed(rollout, table, flight, mover, other)
+            passed = _passed(rollout, table, flight, way, other)
             found += [passed] if passed is not None else []
     return sorted(found, key=lambda one: one.t)
 
@@ -88,10 +88,14 @@ def _apex(motion: Motion, first: Ball, last: Ball, end: float) -> float:
     return max(first.z, last.z)
 
 
-def _passed(rollout: Rollout, table: Table, flight: Flight, mover: Ball, other: Ball) -> Cleared | None:
-    """How one ball is passed over; None where no part of it is, or it is met."""
+def _passed(rollout: Rollout, table: Table, flight: Flight, way: tuple[Ball, Ball], other: Ball) -> Cleared | None:
+    """How one ball is passed over on a way; None where no part of it is, or it is met."""
+    mover = way[0]
     radius, its_own = table.body_of(mover)[0], table.body_of(other)[0]
     reach = radius + its_own
+    times = _looks(rollout, flight, way, other, reach)
+    if not times:
+        return None
 
     def gap(t: float) -> tuple[float, float]:
         """How far apart the centres are in plan, and the balls in space, m."""
@@ -99,7 +103,6 @@ def _passed(rollout: Rollout, table: Table, flight: Flight, mover: Ball, other: 
         plan = math.hypot(b.x - a.x, b.y - a.y)
         return plan, math.hypot(plan, a.z + radius - b.z - its_own) - reach
 
-    times = _looks(rollout, flight, other, reach, radius)
     near = [(here[1], i) for i, t in enumerate(times) if (here := gap(t))[0] < reach]
     if not near:
         return None
@@ -117,9 +120,9 @@ def _passed(rollout: Rollout, table: Table, flight: Flight, mover: Ball, other: 
     return Cleared(other.id, t, least) if plan < reach and least > 1e-6 else None
 
 
-def _looks(rollout: Rollout, flight: Flight, other: Ball, reach: float, radius: float) -> list[float]:
-    """Times in a flight at which to look at another ball; none where that lies still and aside."""
-    a, b = rollout.ball_at(flight.ball, flight.start), rollout.ball_at(flight.ball, flight.end)
+def _looks(rollout: Rollout, flight: Flight, way: tuple[Ball, Ball], other: Ball, reach: float) -> list[float]:
+    """Times in a flight at which to look at another ball; none where that lies still and aside of its way."""
+    a, b = way
     length, seconds = flight.length, flight.end - flight.start
     begin, until = 0.0, 1.0
     track = rollout.tracks.get(other.id, [])
@@ -130,5 +133,5 @@ def _looks(rollout: Rollout, flight: Flight, other: Ball, reach: float, radius: 
         if abs(beside) >= reach or not -reach < along < length + reach:
             return []
         begin, until = max(0.0, (along - reach) / length), min(1.0, (along + reach) / length)
-    count = max(8, math.ceil(_PARTS * length * (until - begin) / radius))
+    count = max(8, math.ceil(_PARTS * length * (until - begin) / reach))
     return [flight.start + seconds * (begin + (until - begin) * i / count) for i in range(count + 1)]

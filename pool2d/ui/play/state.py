@@ -103,7 +103,7 @@ class PlayState:
 
     def chosen(self, speed: float | None = None) -> Shot:
         """The shot as the hands have it, whatever is in its way."""
-        return replace(self.hands.aim.shot(self.session.cue.id, speed), easy=self.easy_stroke)
+        return self.hands.aim.shot(self.session.cue.id, speed, self.easy_stroke)
 
     @property
     def clearance(self) -> Clearance:

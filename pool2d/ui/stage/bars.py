@@ -53,7 +53,9 @@ def draw_controls(
     """The ball diagram, the cue diagram and the speed."""
     named = words.say("play.with_jump_cue") if aim.jump else ""
     limit = miscue_limit(tip_friction)
-    surface.blit(_diagrams(screen, aim.side, aim.height, aim.elevation, limit, named), screen.bottom)
+    # No pixel of it changes by less than a tenth of a degree, as a butt that is raised by itself does all the time.
+    elevation = round(aim.elevation, 1)
+    surface.blit(_diagrams(screen, aim.side, aim.height, elevation, limit, named), screen.bottom)
     bar = screen.power
     radius = bar.height // 2
     y = screen.bottom.top + screen.unit * 2
