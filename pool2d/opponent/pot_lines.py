@@ -72,18 +72,23 @@ def pot_lines(
 def shut(table: Table, layout: Layout, balls: Collection[str]) -> set[str]:
     """Of these balls those that cannot be potted from anywhere: others are in their ways, or behind them."""
     cue = layout[table.furniture.cue]
-    names = [name for name in sorted(balls) if name != cue.id and _crowded(table, layout, layout[name], cue)]
+    names = sorted(_crowded(table, layout, cue) & set(balls))
     if not names or not mouths(table).names:
         return set()
     free, _, _ = _anywhere(_ways(table, layout, cue, names))
     return {names[i] for i in np.nonzero(~free.any(axis=-1))[0]}
 
 
-def _crowded(table: Table, layout: Layout, ball: Ball, cue: Ball) -> bool:
-    """Whether another object ball is near a ball: only then may all its ways be taken."""
-    near = _NEAR * table.touch(ball, cue)
-    others = (other for other in layout.on_table() if other.id not in (ball.id, cue.id))
-    return any(math.hypot(other.x - ball.x, other.y - ball.y) < near for other in others)
+def _crowded(table: Table, layout: Layout, cue: Ball) -> set[str]:
+    """The object balls that have another near them: only of these all ways may be taken."""
+    others = [ball for ball in layout.on_table() if ball.id != cue.id]
+    if not others:
+        return set()
+    places = np.array([(ball.x, ball.y) for ball in others])
+    apart = places[:, None] - places[None]
+    near = (apart * apart).sum(axis=-1) < (_NEAR * table.touch(others[0], cue)) ** 2
+    # Each is near itself.
+    return {ball.id for ball, count in zip(others, near.sum(axis=-1), strict=True) if count > 1}
 
 
 class _Ways(NamedTuple):
