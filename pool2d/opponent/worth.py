@@ -35,6 +35,8 @@ _FURTHER: Final = 0.12
 _COUNT: Final = 3
 # What a cue ball that is put behind a line has of the chances of one that is put anywhere.
 _BEHIND: Final = 0.8
+# How often who breaks goes on, where a break is to pot.
+_BREAKS: Final = 0.55
 # How often who has no pot gets away with a safety or an escape.
 _ESCAPES: Final = 0.5
 # By how much more a ball counts that has no way to any pocket: it has to be broken out first.
@@ -108,6 +110,8 @@ class Scale:
 
     def opening(self, ruling: Ruling) -> float:
         """The chance that who is at the table goes on from here."""
+        if not ruling.state.shots and not self.rules.scored:
+            return _BREAKS
         if not self.rules.table.geometry.pockets:
             return gathered(ruling.layout, self.rules.table.knobs.table.length, self.rate)
         share = 1.0 if ruling.ask.where in ("", "anywhere") else _BEHIND

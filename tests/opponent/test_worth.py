@@ -7,8 +7,9 @@ from dataclasses import replace
 import pytest
 
 from pool2d import Ball, Layout, load_table
-from pool2d.game import Match, Setup
-from pool2d.game.rules import Ruling
+from pool2d.game import Match, Setup, game
+from pool2d.game.rules import Ruling, State
+from pool2d.game.rules.base import Rules
 from pool2d.game.rules.pool.pool import GroupsState
 from pool2d.opponent.stray import Hand
 from pool2d.opponent.worth import Race, Scale, chance_in_common, chance_to_win
@@ -82,3 +83,12 @@ def test_who_has_nothing_left_to_pot_is_no_surer_than_sure() -> None:
     layout = Layout([match.layout["cue"]])
     state = replace(match.state, shots=1, turn=0, ask=replace(match.ask, on=(), options=()))
     assert Scale(match.rules, Hand(), 0.8).passed(Ruling(state, layout), 0) == 0.0
+
+
+@pytest.mark.parametrize("name", ["nine-ball", "eight-ball"])
+@pytest.mark.parametrize("rate", [0.3, 0.7, 0.95])
+def test_to_break_is_worth_more_than_to_let_the_other_break(name: str, rate: float) -> None:
+    rules: Rules[State] = game(name, load_table("pool-9ft"))
+    scale = Scale(rules, Hand(0.5), rate)
+    mine, theirs = (scale.value(rules.start(player, 3), 0) for player in (0, 1))
+    assert mine > 0.5 > theirs
