@@ -267,7 +267,7 @@ def test_who_is_ahead_does_not_agree_to_begin_the_frame_again(
     assert asked == [1]
     assert isinstance(hand.app.scene, Confirm) == agreed
     assert [note.words for note in hand.app.toasts.notes] == (
-        [] if agreed else ["Quick is ahead, and would rather play on."]
+        [] if agreed else ["Quick likes how things stand, and would rather play on."]
     )
     assert len(session.match.history) == 1
 
