@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from ..config.knobs import knob
-from ..physics.values import Layout, Shot
+from ..physics.values import Ball, Layout, Shot
 from ..table.table import Table
 
 # The units: aim and elevation in degrees, the tip's place in m, the cue's speed in m/s.
@@ -83,11 +83,21 @@ def awkward(table: Table, layout: Layout, shot: Shot, strain: float = 1.0) -> fl
     """
     cue = layout[shot.ball]
     way = math.radians(shot.angle)
-    behind, _ = table.cast(cue.x, cue.y, -math.cos(way), -math.sin(way), Layout())
+    dx, dy = -math.cos(way), -math.sin(way)
+    behind, _ = table.cast(cue.x, cue.y, dx, dy, Layout())
+    if math.isinf(behind):
+        behind = _to_edge(table, cue, dx, dy)
     stretch = max(0.0, behind - _REACH)
     rail = max(0.0, 1.0 - behind / _BRIDGE)
     pace = max(0.0, shot.speed / _EASY_PACE - 1.0)
     return 1.0 + strain * (0.5 * stretch + 0.5 * rail + shot.elevation / _RAISED + 0.4 * pace)
+
+
+def _to_edge(table: Table, ball: Ball, dx: float, dy: float) -> float:
+    """How far a ball is from the edge of the bed along (dx, dy), m: a way through a pocket's mouth may meet nothing."""
+    size = table.knobs.table
+    ways = ((ball.x, dx, size.length), (ball.y, dy, size.width))
+    return min(max(0.0, ((end if step > 0.0 else 0.0) - at) / step) for at, step, end in ways if step)
 
 
 def strayed(table: Table, layout: Layout, shot: Shot, hand: Hand, rng: random.Random) -> Shot:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 import statistics
 
@@ -68,3 +69,15 @@ def test_awkward_strokes_widen_the_errors(cue: Ball, shot: Shot) -> None:
     assert wider > 1.2
     assert awkward(TABLE, Layout([cue]), shot, strain=0.0) == 1.0
     assert awkward(TABLE, Layout([cue]), shot, strain=2.0) == pytest.approx(2.0 * wider - 1.0)
+
+
+@pytest.mark.parametrize("far", [0.05, 0.5])
+def test_a_stroke_whose_butt_is_over_a_pocket_is_no_endless_stretch(far: float) -> None:
+    """Behind a ball in a mouth there may be nothing at all: the error was infinite, and so was the angle."""
+    for pocket in TABLE.geometry.pockets:
+        inward = math.atan2(pocket.uy, pocket.ux)
+        for aside in (-30.0, 0.0, 30.0):
+            way = inward + math.radians(aside)
+            layout = Layout([Ball("cue", pocket.x + far * math.cos(way), pocket.y + far * math.sin(way))])
+            for turn in (-60.0, 0.0, 60.0):
+                assert awkward(TABLE, layout, Shot(angle=math.degrees(inward) + turn, speed=1.0)) < 5.0
